@@ -206,8 +206,9 @@ extern "C" {
 #  define PRT__STATIC static
 #endif
 
-/* GCC and Clang vector extensions, at the width that the target flags allow. */
-#if defined(__GNUC__) && !defined(PRT_NO_SIMD)
+/* Vector extensions of GCC and Clang, at the width that the target flags allow, where the machine has such registers. */
+#if !defined(PRT_NO_SIMD) && defined(__GNUC__) && (defined(__SSE2__) || defined(__ARM_NEON) || \
+    defined(__VSX__) || defined(__VX__) || defined(__wasm_simd128__))
 #  define PRT__SIMD 1
 #  if defined(__AVX512F__)
 #    define PRT__VEC_BYTES 64
@@ -216,8 +217,14 @@ extern "C" {
 #  else
 #    define PRT__VEC_BYTES 16
 #  endif
+#  ifdef PRT_DOUBLE
+#    define PRT__LANES (PRT__VEC_BYTES / 8)
+#  else
+#    define PRT__LANES (PRT__VEC_BYTES / 4)
+#  endif
 #else
 #  define PRT__SIMD 0
+#  define PRT__LANES 1
 #endif
 
 #define PRT__PI 3.14159265358979323846264338327950288
@@ -249,75 +256,290 @@ PRT__INLINE prt_real prt__dot3(prt_vec3 a, prt_vec3 b) { return a.x * b.x + a.y 
 
 PRT__INLINE int prt__bands_ok(int bands) { return bands >= 1 && bands <= PRT_MAX_BANDS; }
 
+PRT__INLINE prt_vec3 prt__vec3(prt_real x, prt_real y, prt_real z) { prt_vec3 v; v.x = x; v.y = y; v.z = z; return v; }
+
+/* prt__vec: PRT__LANES values that are worked on at once; one plain value where there is no SIMD, so that a batched
+   function is written once. A batch is bit-equal to its parts only if every item runs through the same vector code:
+   the last, incomplete vector is padded (load_part, store_part), never done in scalars. */
+#if PRT__SIMD
+typedef prt_real prt__vec __attribute__((vector_size(PRT__VEC_BYTES)));
+#else
+typedef prt_real prt__vec;
+#endif
+PRT__INLINE prt__vec prt__vec_load(const prt_real *from) { prt__vec v; memcpy(&v, from, sizeof v); return v; }
+PRT__INLINE void prt__vec_store(prt_real *to, prt__vec v) { memcpy(to, &v, sizeof v); }
+PRT__INLINE prt__vec prt__vec_load_part(const prt_real *from, int lanes) {
+    prt_real all[PRT__LANES] = { 0 };
+    memcpy(all, from, (size_t)lanes * sizeof *from);
+    return prt__vec_load(all);
+}
+PRT__INLINE void prt__vec_store_part(prt_real *to, prt__vec v, int lanes) {
+    memcpy(to, &v, (size_t)lanes * sizeof *to);
+}
+PRT__INLINE prt__vec prt__vec_set(prt_real s) {                /* s in every lane; the subtraction keeps -0 */
+#if PRT__SIMD
+    prt__vec zero = { 0 };
+    return s - zero;
+#else
+    return s;
+#endif
+}
+
 /* ---------------------------------------------------------------------------------------------------- >>sh ---- */
 
-/* Y(l,+-m) = p(l,m) {Re,Im}(x+iy)^m, the recurrence of [Sloan 2013] with m outside and l inside. */
-PRT__STATIC void prt__sh_generic(int bands, prt_vec3 d, prt_real *PRT__RESTRICT y) {
-    prt_real re = 1, im = 0, sector = PRT__R(0.28209479177387814347);
+enum { PRT__SH_KERNELS = 10, PRT__ROOTS = 128 };               /* generated: straight-line kernels, table of sqrt(k) */
+
+typedef void prt__sh_kernel(prt_real x, prt_real y, prt_real z, prt_real *PRT__RESTRICT out);
+typedef void prt__sh_kernel_v(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, size_t stride);
+static prt__sh_kernel prt__sh_eval_1, prt__sh_eval_2, prt__sh_eval_3, prt__sh_eval_4, prt__sh_eval_5,
+                      prt__sh_eval_6, prt__sh_eval_7, prt__sh_eval_8, prt__sh_eval_9, prt__sh_eval_10;
+static prt__sh_kernel_v prt__sh_eval_1_v, prt__sh_eval_2_v, prt__sh_eval_3_v, prt__sh_eval_4_v, prt__sh_eval_5_v,
+                        prt__sh_eval_6_v, prt__sh_eval_7_v, prt__sh_eval_8_v, prt__sh_eval_9_v, prt__sh_eval_10_v;
+static const double *prt__roots(void), *prt__inverse_roots(void);
+
+static prt__sh_kernel *const prt__sh_kernels[PRT__SH_KERNELS] = {
+    prt__sh_eval_1, prt__sh_eval_2, prt__sh_eval_3, prt__sh_eval_4, prt__sh_eval_5,
+    prt__sh_eval_6, prt__sh_eval_7, prt__sh_eval_8, prt__sh_eval_9, prt__sh_eval_10
+};
+static prt__sh_kernel_v *const prt__sh_kernels_v[PRT__SH_KERNELS] = {
+    prt__sh_eval_1_v, prt__sh_eval_2_v, prt__sh_eval_3_v, prt__sh_eval_4_v, prt__sh_eval_5_v,
+    prt__sh_eval_6_v, prt__sh_eval_7_v, prt__sh_eval_8_v, prt__sh_eval_9_v, prt__sh_eval_10_v
+};
+
+/* sqrt(k) and 1/sqrt(k) for integers k >= 1: a table to 64 bands, the instruction beyond */
+PRT__INLINE double prt__root(int k) { return k < PRT__ROOTS ? prt__roots()[k] : sqrt((double)k); }
+PRT__INLINE double prt__inverse_root(int k) { return k < PRT__ROOTS ? prt__inverse_roots()[k] : 1 / sqrt((double)k); }
+
+/* The recurrence [Sloan 2013], normalised:  p(l,m) = a z p(l-1,m) - c p(l-2,m),
+     a = sqrt((4l^2-1)/(l^2-m^2)),   c = a sqrt(((l-1)^2-m^2)/(4(l-1)^2-1)),   p(m,m) from prt__sh_sector.
+   The factors are taken in double whatever prt_real is: it costs nothing beside the latency of p, and halves the error. */
+typedef struct prt__sh_step { prt_real a, c; } prt__sh_step;
+PRT__INLINE prt__sh_step prt__sh_factors(int l, int m) {       /* l > m; c(m+1,m) = 0 */
+    prt__sh_step s;
+    double over = prt__root(2 * l + 1) * prt__inverse_root(l - m) * prt__inverse_root(l + m);
+    s.a = (prt_real)(over * prt__root(2 * l - 1));
+    s.c = l - m < 2 ? 0 : (prt_real)(over * prt__root(l - 1 - m) * prt__root(l - 1 + m) * prt__inverse_root(2 * l - 3));
+    return s;
+}
+
+/* p(m,m) = p(m-1,m-1) sqrt((2m+1)/(2m)), times sqrt 2 from m = 0 to 1 */
+PRT__INLINE double prt__sh_sector(int m, double previous) {
+    if (m == 0) return 0.28209479177387814347;
+    return previous * prt__root(2 * m + 1) * (m == 1 ? 1.0 : prt__inverse_root(2 * m));
+}
+
+/* Powers of x+iy and columns p(.,m) leave the range of floating point near the poles (float from l = 186, double from
+   1477) though their products do not. Both therefore carry an integer exponent: value = mantissa * PRT__SCALE^exponent.
+   A rescale is exact, so results are the same bits with and without. */
+#ifdef PRT_DOUBLE
+#  define PRT__SCALE 2.58224987808690858965591917200e120       /* 2^400 */
+enum { PRT__SH_UNSCALED = 1400 };                              /* bands that need no exponent */
+#else
+#  define PRT__SCALE 1099511627776.0f                          /* 2^40 */
+enum { PRT__SH_UNSCALED = 180 };
+#endif
+
+typedef struct prt__sh_phasor { prt_real re, im; int exponent; } prt__sh_phasor;       /* (x+iy)^m */
+typedef struct prt__sh_column { prt_real p1, p2; int exponent; } prt__sh_column;       /* p(l,m), p(l-1,m) */
+
+PRT__INLINE prt_real prt__abs(prt_real v) { return v < 0 ? -v : v; }
+
+PRT__INLINE void prt__sh_turn(prt__sh_phasor *c, prt_real x, prt_real y) {
+    prt_real re = c->re * x - c->im * y, im = c->re * y + c->im * x;
+    if (prt__abs(re) < 1 / PRT__SCALE && prt__abs(im) < 1 / PRT__SCALE) {
+        re *= PRT__SCALE;
+        im *= PRT__SCALE;
+        c->exponent--;
+    }
+    c->re = re;
+    c->im = im;
+}
+
+PRT__INLINE void prt__sh_climb(prt__sh_column *c, prt_real z, prt__sh_step s) {
+    prt_real p = s.a * (z * c->p1) - s.c * c->p2;
+    c->p2 = c->p1;
+    c->p1 = p;
+    if (prt__abs(p) > PRT__SCALE) {
+        c->p1 *= 1 / PRT__SCALE;
+        c->p2 *= 1 / PRT__SCALE;
+        c->exponent++;
+    }
+}
+
+/* mantissa * PRT__SCALE^exponent; the product with a phasor is bounded, so high exponents cannot occur with finite input */
+PRT__INLINE prt_real prt__unscale(prt_real mantissa, int exponent) {
+    if (exponent == 0) return mantissa;
+    if (exponent == 1) return mantissa * PRT__SCALE;
+    if (exponent == -1) return mantissa * (1 / PRT__SCALE);
+    return exponent < 0 ? 0 : mantissa * PRT__SCALE * PRT__SCALE;
+}
+
+/* Y(l,+-m) = p(l,m) {Im,Re}(x+iy)^m for any number of bands, coefficient i to y[i * stride]; with coefficients f given,
+   returns f.Y instead. */
+PRT__STATIC prt_real prt__sh_recurrence(int bands, prt_vec3 d, const prt_real *f, prt_real *PRT__RESTRICT y,
+                                        size_t stride) {
+    prt__sh_phasor c = { 1, 0, 0 };
+    prt_real sum = 0;
+    double sector = 0;
     int l, m;
     for (m = 0; m < bands; m++) {
-        prt_real p2 = 0, p1 = m ? sector * PRT__R(1.41421356237309504880) : sector;
+        prt__sh_column p = { 0, 0, 0 };
+        prt_real minus = 0, plus = 0;
+        sector = prt__sh_sector(m, sector);
+        p.p1 = (prt_real)sector;
         for (l = m; l < bands; l++) {
-            if (l > m) {
-                prt_real a = prt__sqrt(PRT__R(4 * l * l - 1) / PRT__R(l * l - m * m));
-                prt_real b = prt__sqrt(PRT__R((l - 1) * (l - 1) - m * m) / PRT__R(4 * (l - 1) * (l - 1) - 1));
-                prt_real p = a * (d.z * p1 - b * p2);
-                p2 = p1;
-                p1 = p;
+            prt_real q;
+            if (l > m) prt__sh_climb(&p, d.z, prt__sh_factors(l, m));
+            q = prt__unscale(p.p1, p.exponent + c.exponent);
+            if (f) {
+                minus += q * f[PRT_SH_INDEX(l, -m)];
+                plus += q * f[PRT_SH_INDEX(l, m)];
+            } else {
+                y[(size_t)PRT_SH_INDEX(l, -m) * stride] = q * c.im;
+                y[(size_t)PRT_SH_INDEX(l, m) * stride] = q * c.re;
             }
-            y[PRT_SH_INDEX(l, -m)] = p1 * im;
-            y[PRT_SH_INDEX(l, m)] = p1 * re;
         }
-        { prt_real t = re * d.x - im * d.y; im = re * d.y + im * d.x; re = t; }
-        sector *= prt__sqrt(PRT__R(2 * m + 3) / PRT__R(2 * m + 2));
+        sum += plus * c.re + minus * c.im;
+        prt__sh_turn(&c, d.x, d.y);
     }
+    return sum;
+}
+
+PRT__STATIC void prt__sh_eval(int bands, prt_vec3 d, prt_real *y) {
+    if (bands <= PRT__SH_KERNELS) prt__sh_kernels[bands - 1](d.x, d.y, d.z, y);
+    else prt__sh_recurrence(bands, d, NULL, y, 1);
 }
 
 PRTDEF prt_result prt_sh_eval(int bands, prt_vec3 dir, prt_real *y) {
     if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
     if (!y) return PRT_ERR_NULL;
-    prt__sh_generic(bands, dir, y);
+    prt__sh_eval(bands, dir, y);
     return PRT_OK;
 }
 
-PRTDEF prt_result prt_sh_eval_n(int bands, int count, const prt_vec3 *dirs, prt_real *y) {
+/* Where a vector of directions leaves its coefficients: coefficient i of lane k at to[i * step + k * row]. */
+typedef struct prt__sh_target { prt_real *to; size_t step, row; int lanes; } prt__sh_target;
+
+PRT__INLINE void prt__sh_put(const prt__sh_target *t, int i, prt__vec v) {
+    prt_real *to = t->to + (size_t)i * t->step, all[PRT__LANES];
     int k;
+    if (t->row == 1 && t->lanes == PRT__LANES) { prt__vec_store(to, v); return; }
+    prt__vec_store(all, v);
+    for (k = 0; k < t->lanes; k++) to[(size_t)k * t->row] = all[k];
+}
+
+PRT__STATIC void prt__sh_recurrence_v(int bands, prt__vec x, prt__vec y, prt__vec z, const prt__sh_target *target) {
+    prt__vec re = prt__vec_set(1), im = prt__vec_set(0);
+    double sector = 0;
+    int l, m;
+    for (m = 0; m < bands; m++) {
+        prt__vec p1, p2 = prt__vec_set(0), turned;
+        sector = prt__sh_sector(m, sector);
+        p1 = prt__vec_set((prt_real)sector);
+        for (l = m; l < bands; l++) {
+            if (l > m) {
+                prt__sh_step s = prt__sh_factors(l, m);
+                prt__vec p = s.a * (z * p1) - s.c * p2;
+                p2 = p1;
+                p1 = p;
+            }
+            prt__sh_put(target, PRT_SH_INDEX(l, -m), p1 * im);
+            prt__sh_put(target, PRT_SH_INDEX(l, m), p1 * re);
+        }
+        turned = re * x - im * y;
+        im = re * y + im * x;
+        re = turned;
+    }
+}
+
+/* Up to PRT__LANES directions; kernels store whole vectors, so any other target goes by way of a block. */
+PRT__STATIC void prt__sh_eval_v(int bands, prt__vec x, prt__vec y, prt__vec z, const prt__sh_target *target) {
+    prt_real block[PRT_SH_COUNT(PRT__SH_KERNELS) * PRT__LANES];
+    int i, k;
+    if (bands > PRT__SH_KERNELS) { prt__sh_recurrence_v(bands, x, y, z, target); return; }
+    if (target->row == 1 && target->lanes == PRT__LANES) {
+        prt__sh_kernels_v[bands - 1](x, y, z, target->to, target->step);
+        return;
+    }
+    prt__sh_kernels_v[bands - 1](x, y, z, block, PRT__LANES);
+    for (k = 0; k < target->lanes; k++) {
+        prt_real *to = target->to + (size_t)k * target->row;
+        for (i = 0; i < PRT_SH_COUNT(bands); i++) to[(size_t)i * target->step] = block[i * PRT__LANES + k];
+    }
+}
+
+PRTDEF prt_result prt_sh_eval_n(int bands, int count, const prt_vec3 *dirs, prt_real *y) {
+    size_t n;
+    int first, k;
     if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
     if (count < 0) return PRT_ERR_COUNT;
     if (count == 0) return PRT_OK;
     if (!dirs || !y) return PRT_ERR_NULL;
-    for (k = 0; k < count; k++) prt__sh_generic(bands, dirs[k], y + (size_t)k * (size_t)PRT_SH_COUNT(bands));
+    n = (size_t)PRT_SH_COUNT(bands);
+    if (PRT__LANES == 1 || bands > PRT__SH_UNSCALED) {
+        for (k = 0; k < count; k++) prt__sh_eval(bands, dirs[k], y + (size_t)k * n);
+        return PRT_OK;
+    }
+    for (first = 0; first < count; first += PRT__LANES) {
+        prt_real dx[PRT__LANES] = { 0 }, dy[PRT__LANES] = { 0 }, dz[PRT__LANES] = { 0 };
+        prt__sh_target target;
+        target.to = y + (size_t)first * n;
+        target.step = 1;
+        target.row = n;
+        target.lanes = count - first < PRT__LANES ? count - first : PRT__LANES;
+        for (k = 0; k < target.lanes; k++) {
+            dx[k] = dirs[first + k].x;
+            dy[k] = dirs[first + k].y;
+            dz[k] = dirs[first + k].z;
+        }
+        prt__sh_eval_v(bands, prt__vec_load(dx), prt__vec_load(dy), prt__vec_load(dz), &target);
+    }
     return PRT_OK;
 }
 
 PRTDEF prt_result prt_sh_eval_soa(int bands, int count, const prt_real *x, const prt_real *y, const prt_real *z,
                                   prt_real *out, size_t stride) {
-    prt_real row[PRT_SH_COUNT(PRT_MAX_BANDS)];
-    int k, i;
+    prt__sh_target target;
+    int k;
     if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
     if (count < 0 || stride < (size_t)count) return PRT_ERR_COUNT;
     if (count == 0) return PRT_OK;
     if (!x || !y || !z || !out) return PRT_ERR_NULL;
-    for (k = 0; k < count; k++) {
-        prt_vec3 d;
-        d.x = x[k]; d.y = y[k]; d.z = z[k];
-        prt__sh_generic(bands, d, row);
-        for (i = 0; i < PRT_SH_COUNT(bands); i++) out[(size_t)i * stride + (size_t)k] = row[i];
+    if (bands > PRT__SH_UNSCALED) {
+        for (k = 0; k < count; k++) prt__sh_recurrence(bands, prt__vec3(x[k], y[k], z[k]), NULL, out + k, stride);
+        return PRT_OK;
+    }
+    target.step = stride;
+    target.row = 1;
+    target.lanes = PRT__LANES;
+    for (k = 0; k + PRT__LANES <= count; k += PRT__LANES) {
+        target.to = out + k;
+        prt__sh_eval_v(bands, prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), &target);
+    }
+    if (k < count) {
+        target.to = out + k;
+        target.lanes = count - k;
+        prt__sh_eval_v(bands, prt__vec_load_part(x + k, target.lanes), prt__vec_load_part(y + k, target.lanes),
+                       prt__vec_load_part(z + k, target.lanes), &target);
     }
     return PRT_OK;
 }
 
+/* Eight partial sums: a single one would wait for each addition. Their order is fixed, so the bits are too. */
 PRT__STATIC prt_real prt__dot(int count, const prt_real *f, const prt_real *g) {
-    prt_real sum = 0;
-    int i;
-    for (i = 0; i < count; i++) sum += f[i] * g[i];
-    return sum;
+    prt_real sum[8] = { 0, 0, 0, 0, 0, 0, 0, 0 };
+    int i, k;
+    for (i = 0; i + 8 <= count; i += 8)
+        for (k = 0; k < 8; k++) sum[k] += f[i + k] * g[i + k];
+    for (k = 0; i < count; i++, k++) sum[k] += f[i] * g[i];
+    return ((sum[0] + sum[4]) + (sum[2] + sum[6])) + ((sum[1] + sum[5]) + (sum[3] + sum[7]));
 }
 
 PRTDEF prt_real prt_sh_at(int bands, const prt_real *f, prt_vec3 dir) {
-    prt_real y[PRT_SH_COUNT(PRT_MAX_BANDS)];
+    prt_real y[PRT_SH_COUNT(PRT__SH_KERNELS)];
     if (!prt__bands_ok(bands) || !f) return 0;
-    prt__sh_generic(bands, dir, y);
+    if (bands > PRT__SH_KERNELS) return prt__sh_recurrence(bands, dir, f, NULL, 1);
+    prt__sh_kernels[bands - 1](dir.x, dir.y, dir.z, y);
     return prt__dot(PRT_SH_COUNT(bands), f, y);
 }
 
@@ -356,6 +578,1435 @@ PRTDEF prt_result prt_shade_diffuse_n(int bands, int count, const prt_real *tran
 /* --------------------------------------------------------------------------------------------- >>reference ---- */
 
 /* --------------------------------------------------------------------------------------------- >>generated ---- */
+
+/* BEGIN GENERATED: prt_codegen --table roots --count 128 */
+/* sqrt(k) for k = 0 ... 127 */
+PRT__STATIC const double *prt__roots(void) {
+    static const double table[128] = {
+        0, 1.0, 1.4142135623730950488, 1.7320508075688772935, 2.0, 2.2360679774997896964, 2.4494897427831780982,
+        2.6457513110645905905, 2.8284271247461900976, 3.0, 3.162277660168379332, 3.3166247903553998491,
+        3.4641016151377545871, 3.6055512754639892931, 3.7416573867739413856, 3.8729833462074168852,
+        4.0, 4.1231056256176605498, 4.2426406871192851464, 4.3588989435406735522, 4.4721359549995793928,
+        4.5825756949558400066, 4.6904157598234295546, 4.7958315233127195416, 4.8989794855663561964,
+        5.0, 5.09901951359278483, 5.1961524227066318806, 5.291502622129181181, 5.3851648071345040313,
+        5.4772255750516611346, 5.5677643628300219221, 5.6568542494923801952, 5.7445626465380286599,
+        5.8309518948453004709, 5.9160797830996160426, 6.0, 6.082762530298219689, 6.1644140029689764503,
+        6.2449979983983982058, 6.324555320336758664, 6.4031242374328486865, 6.480740698407860231,
+        6.5574385243020006523, 6.6332495807107996982, 6.7082039324993690892, 6.7823299831252681391,
+        6.8556546004010441249, 6.9282032302755091741, 7.0, 7.071067811865475244, 7.141428428542849998,
+        7.2111025509279785862, 7.2801098892805182711, 7.3484692283495342946, 7.4161984870956629487,
+        7.4833147735478827712, 7.5498344352707496972, 7.6157731058639082857, 7.6811457478686081758,
+        7.7459666924148337704, 7.8102496759066543941, 7.8740078740118110197, 7.9372539331937717715,
+        8.0, 8.0622577482985496524, 8.1240384046359603605, 8.18535277187244997, 8.2462112512353210996,
+        8.3066238629180748526, 8.3666002653407554798, 8.4261497731763586306, 8.4852813742385702928,
+        8.5440037453175311679, 8.6023252670426267717, 8.6602540378443864676, 8.7177978870813471045,
+        8.7749643873921220604, 8.8317608663278468548, 8.8881944173155888501, 8.9442719099991587856,
+        9.0, 9.0553851381374166266, 9.1104335791442988819, 9.1651513899116800132, 9.21954445729288731,
+        9.2736184954957037525, 9.3273790530888150456, 9.3808315196468591091, 9.4339811320566038113,
+        9.486832980505137996, 9.5393920141694564915, 9.5916630466254390832, 9.6436507609929549958,
+        9.6953597148326580281, 9.7467943448089639068, 9.7979589711327123928, 9.8488578017961047217,
+        9.8994949366116653416, 9.9498743710661995473, 10.0, 10.04987562112089027, 10.099504938362077953,
+        10.148891565092219469, 10.19803902718556966, 10.246950765959598383, 10.295630140987000316,
+        10.34408043278860047, 10.392304845413263761, 10.44030650891055018, 10.48808848170151547,
+        10.535653752852738848, 10.583005244258362362, 10.630145812734649408, 10.677078252031311211,
+        10.723805294763608305, 10.770329614269008063, 10.816653826391967879, 10.862780491200215724,
+        10.908712114635714412, 10.954451150103322269, 11.0, 11.045361017187260774, 11.090536506409417162,
+        11.135528725660043844, 11.180339887498948482, 11.224972160321824157, 11.269427669584644883
+    };
+    return table;
+}
+
+/* 1/sqrt(k), and 0 for k = 0 ... 127 */
+PRT__STATIC const double *prt__inverse_roots(void) {
+    static const double table[128] = {
+        0, 1.0, 0.7071067811865475244, 0.57735026918962576451, 0.5, 0.44721359549995793928, 0.40824829046386301637,
+        0.37796447300922722721, 0.3535533905932737622, 0.33333333333333333333, 0.3162277660168379332,
+        0.30151134457776362265, 0.28867513459481288225, 0.27735009811261456101, 0.26726124191242438468,
+        0.25819888974716112568, 0.25, 0.24253562503633297352, 0.23570226039551584147, 0.22941573387056176591,
+        0.22360679774997896964, 0.21821789023599238127, 0.2132007163556104343, 0.20851441405707476268,
+        0.20412414523193150818, 0.2, 0.19611613513818403192, 0.19245008972987525484, 0.18898223650461361361,
+        0.18569533817705186315, 0.18257418583505537115, 0.17960530202677490071, 0.1767766952966368811,
+        0.17407765595569783818, 0.17149858514250883738, 0.1690308509457033155, 0.16666666666666666667,
+        0.16439898730535728889, 0.16222142113076253816, 0.16012815380508713348, 0.1581138830084189666,
+        0.15617376188860606552, 0.15430334996209191026, 0.15249857033260466633, 0.15075567228888181132,
+        0.14907119849998597976, 0.14744195615489713346, 0.14586499149789455585, 0.14433756729740644113,
+        0.14285714285714285714, 0.14142135623730950488, 0.14002800840280098035, 0.1386750490563072805,
+        0.13736056394868902398, 0.13608276348795433879, 0.13483997249264841725, 0.13363062095621219234,
+        0.13245323570650438065, 0.13130643285972255665, 0.13018891098082386739, 0.12909944487358056284,
+        0.12803687993289597367, 0.12700012700019050032, 0.12598815766974240907, 0.125, 0.12403473458920845619,
+        0.12309149097933273273, 0.12216944435630522343, 0.12126781251816648676, 0.12038585308576920076,
+        0.119522860933439364, 0.11867816581938533283, 0.11785113019775792073, 0.11704114719613056394,
+        0.1162476387438192807, 0.1154700538379251529, 0.11470786693528088295, 0.11396057645963794884,
+        0.11322770341445957506, 0.11250879009260239051, 0.11180339887498948482, 0.11111111111111111111,
+        0.11043152607484654423, 0.10976425998969034798, 0.10910894511799619063, 0.108465228909328086,
+        0.10783277320343841573, 0.10721125348377948328, 0.10660035817780521715, 0.10599978800063599788,
+        0.10540925533894597773, 0.10482848367219182958, 0.10425720702853738134, 0.10369516947304252684,
+        0.10314212462587934072, 0.10259783520851540955, 0.10206207261596575409, 0.10153461651336190435,
+        0.10101525445522107491, 0.10050378152592120755, 0.1, 0.099503719020998913567, 0.099014754297667430915,
+        0.09853292781642931523, 0.098058067569092015962, 0.097590007294853317935, 0.097128586235726418074,
+        0.09667364890456635953, 0.096225044864937627418, 0.095782628522115139264, 0.095346258924559231545,
+        0.094915799575249899535, 0.094491118252306806804, 0.094072086838359729274, 0.093658581158169396586,
+        0.093250480824031376564, 0.092847669088525931573, 0.09245003270420485367, 0.092057461789832336643,
+        0.091669849702821129508, 0.091287092917527685576, 0.090909090909090909091, 0.090535746042518530936,
+        0.09016696346674322896, 0.089802651013387450357, 0.089442719099991587856, 0.089087080637474794895,
+        0.08873565094161137703
+    };
+    return table;
+}
+
+/* END GENERATED */
+
+/* BEGIN GENERATED: prt_codegen --lang c --emit sh_eval --bands 1-10 */
+/* SH basis, 1 band: 0 multiplications, 0 additions (0 can fuse), 1 stores */
+PRT__STATIC void prt__sh_eval_1(prt_real x, prt_real y, prt_real z, prt_real *PRT__RESTRICT out) {
+    (void)x;
+    (void)y;
+    (void)z;
+    out[0] = PRT__R(0.282094791773878143474);
+}
+
+/* SH basis, 1 band: 0 multiplications, 0 additions (0 can fuse), 1 stores */
+PRT__STATIC void prt__sh_eval_1_v(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, size_t stride) {
+    (void)x;
+    (void)y;
+    (void)z;
+    (void)stride;
+    prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+}
+
+/* SH basis, 2 bands: 3 multiplications, 0 additions (0 can fuse), 4 stores */
+PRT__STATIC void prt__sh_eval_2(prt_real x, prt_real y, prt_real z, prt_real *PRT__RESTRICT out) {
+    out[0] = PRT__R(0.282094791773878143474);
+    out[2] = PRT__R(0.488602511902919921586) * z;
+    out[1] = PRT__R(0.488602511902919921586) * y;
+    out[3] = PRT__R(0.488602511902919921586) * x;
+}
+
+/* SH basis, 2 bands: 3 multiplications, 0 additions (0 can fuse), 4 stores */
+PRT__STATIC void prt__sh_eval_2_v(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, size_t stride) {
+    prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+    prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
+    prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
+    prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
+}
+
+/* SH basis, 3 bands: 13 multiplications, 3 additions (2 can fuse), 9 stores */
+PRT__STATIC void prt__sh_eval_3(prt_real x, prt_real y, prt_real z, prt_real *PRT__RESTRICT out) {
+    out[0] = PRT__R(0.282094791773878143474);
+    out[2] = PRT__R(0.488602511902919921586) * z;
+    out[6] = PRT__R(0.946174695757560018093) * (z * z) - PRT__R(0.315391565252520006031);
+    out[1] = PRT__R(0.488602511902919921586) * y;
+    out[3] = PRT__R(0.488602511902919921586) * x;
+    const prt_real t1 = PRT__R(1.09254843059207907054) * z;
+    out[5] = y * t1;
+    out[7] = x * t1;
+    const prt_real t2 = x * y;
+    out[4] = PRT__R(0.546274215296039535272) * (t2 + t2);
+    out[8] = PRT__R(0.546274215296039535272) * (x * x - y * y);
+}
+
+/* SH basis, 3 bands: 13 multiplications, 3 additions (2 can fuse), 9 stores */
+PRT__STATIC void prt__sh_eval_3_v(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, size_t stride) {
+    prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+    prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
+    prt__vec_store(out + 6 * stride, PRT__R(0.946174695757560018093) * (z * z) - PRT__R(0.315391565252520006031));
+    prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
+    prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
+    const prt__vec t1 = PRT__R(1.09254843059207907054) * z;
+    prt__vec_store(out + 5 * stride, y * t1);
+    prt__vec_store(out + 7 * stride, x * t1);
+    const prt__vec t2 = x * y;
+    prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * (t2 + t2));
+    prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * (x * x - y * y));
+}
+
+/* SH basis, 4 bands: 27 multiplications, 7 additions (6 can fuse), 16 stores */
+PRT__STATIC void prt__sh_eval_4(prt_real x, prt_real y, prt_real z, prt_real *PRT__RESTRICT out) {
+    out[0] = PRT__R(0.282094791773878143474);
+    out[2] = PRT__R(0.488602511902919921586) * z;
+    const prt_real t1 = z * z;
+    out[6] = PRT__R(0.946174695757560018093) * t1 - PRT__R(0.315391565252520006031);
+    const prt_real t2 = PRT__R(1.86588166295057695707) * t1 - PRT__R(1.11952899777034617424);
+    out[12] = z * t2;
+    out[1] = PRT__R(0.488602511902919921586) * y;
+    out[3] = PRT__R(0.488602511902919921586) * x;
+    const prt_real t3 = PRT__R(1.09254843059207907054) * z;
+    out[5] = y * t3;
+    out[7] = x * t3;
+    const prt_real t4 = PRT__R(2.28522899732232868079) * t1 - PRT__R(0.457045799464465736158);
+    out[11] = y * t4;
+    out[13] = x * t4;
+    const prt_real t5 = x * y;
+    const prt_real t6 = t5 + t5;
+    out[4] = PRT__R(0.546274215296039535272) * t6;
+    const prt_real t7 = x * x - y * y;
+    out[8] = PRT__R(0.546274215296039535272) * t7;
+    const prt_real t8 = PRT__R(1.44530572132027702769) * z;
+    out[10] = t6 * t8;
+    out[14] = t7 * t8;
+    out[9] = PRT__R(0.590043589926643510346) * (y * t7 + x * t6);
+    out[15] = PRT__R(0.590043589926643510346) * (x * t7 - y * t6);
+}
+
+/* SH basis, 4 bands: 27 multiplications, 7 additions (6 can fuse), 16 stores */
+PRT__STATIC void prt__sh_eval_4_v(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, size_t stride) {
+    prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+    prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
+    const prt__vec t1 = z * z;
+    prt__vec_store(out + 6 * stride, PRT__R(0.946174695757560018093) * t1 - PRT__R(0.315391565252520006031));
+    const prt__vec t2 = PRT__R(1.86588166295057695707) * t1 - PRT__R(1.11952899777034617424);
+    prt__vec_store(out + 12 * stride, z * t2);
+    prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
+    prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
+    const prt__vec t3 = PRT__R(1.09254843059207907054) * z;
+    prt__vec_store(out + 5 * stride, y * t3);
+    prt__vec_store(out + 7 * stride, x * t3);
+    const prt__vec t4 = PRT__R(2.28522899732232868079) * t1 - PRT__R(0.457045799464465736158);
+    prt__vec_store(out + 11 * stride, y * t4);
+    prt__vec_store(out + 13 * stride, x * t4);
+    const prt__vec t5 = x * y;
+    const prt__vec t6 = t5 + t5;
+    prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t6);
+    const prt__vec t7 = x * x - y * y;
+    prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t7);
+    const prt__vec t8 = PRT__R(1.44530572132027702769) * z;
+    prt__vec_store(out + 10 * stride, t6 * t8);
+    prt__vec_store(out + 14 * stride, t7 * t8);
+    prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * (y * t7 + x * t6));
+    prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * (x * t7 - y * t6));
+}
+
+/* SH basis, 5 bands: 46 multiplications, 12 additions (11 can fuse), 25 stores */
+PRT__STATIC void prt__sh_eval_5(prt_real x, prt_real y, prt_real z, prt_real *PRT__RESTRICT out) {
+    out[0] = PRT__R(0.282094791773878143474);
+    out[2] = PRT__R(0.488602511902919921586) * z;
+    const prt_real t1 = z * z;
+    const prt_real t2 = PRT__R(0.946174695757560018093) * t1 - PRT__R(0.315391565252520006031);
+    out[6] = t2;
+    const prt_real t3 = PRT__R(1.86588166295057695707) * t1 - PRT__R(1.11952899777034617424);
+    const prt_real t4 = z * t3;
+    out[12] = t4;
+    out[20] = PRT__R(1.98431348329844294288) * (z * t4) - PRT__R(1.00623058987490536338) * t2;
+    out[1] = PRT__R(0.488602511902919921586) * y;
+    out[3] = PRT__R(0.488602511902919921586) * x;
+    const prt_real t5 = PRT__R(1.09254843059207907054) * z;
+    out[5] = y * t5;
+    out[7] = x * t5;
+    const prt_real t6 = PRT__R(2.28522899732232868079) * t1 - PRT__R(0.457045799464465736158);
+    out[11] = y * t6;
+    out[13] = x * t6;
+    const prt_real t7 = PRT__R(4.68332580490102417566) * t1 - PRT__R(2.00713963067186750386);
+    const prt_real t8 = z * t7;
+    out[19] = y * t8;
+    out[21] = x * t8;
+    const prt_real t9 = x * y;
+    const prt_real t10 = t9 + t9;
+    out[4] = PRT__R(0.546274215296039535272) * t10;
+    const prt_real t11 = x * x - y * y;
+    out[8] = PRT__R(0.546274215296039535272) * t11;
+    const prt_real t12 = PRT__R(1.44530572132027702769) * z;
+    out[10] = t10 * t12;
+    out[14] = t11 * t12;
+    const prt_real t13 = PRT__R(3.31161143515146006332) * t1 - PRT__R(0.473087347878780009046);
+    out[18] = t10 * t13;
+    out[22] = t11 * t13;
+    const prt_real t14 = y * t11 + x * t10;
+    out[9] = PRT__R(0.590043589926643510346) * t14;
+    const prt_real t15 = x * t11 - y * t10;
+    out[15] = PRT__R(0.590043589926643510346) * t15;
+    const prt_real t16 = PRT__R(1.77013076977993053104) * z;
+    out[17] = t14 * t16;
+    out[23] = t15 * t16;
+    out[16] = PRT__R(0.625835735449176134587) * (y * t15 + x * t14);
+    out[24] = PRT__R(0.625835735449176134587) * (x * t15 - y * t14);
+}
+
+/* SH basis, 5 bands: 46 multiplications, 12 additions (11 can fuse), 25 stores */
+PRT__STATIC void prt__sh_eval_5_v(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, size_t stride) {
+    prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+    prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
+    const prt__vec t1 = z * z;
+    const prt__vec t2 = PRT__R(0.946174695757560018093) * t1 - PRT__R(0.315391565252520006031);
+    prt__vec_store(out + 6 * stride, t2);
+    const prt__vec t3 = PRT__R(1.86588166295057695707) * t1 - PRT__R(1.11952899777034617424);
+    const prt__vec t4 = z * t3;
+    prt__vec_store(out + 12 * stride, t4);
+    prt__vec_store(out + 20 * stride, PRT__R(1.98431348329844294288) * (z * t4) - PRT__R(1.00623058987490536338) * t2);
+    prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
+    prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
+    const prt__vec t5 = PRT__R(1.09254843059207907054) * z;
+    prt__vec_store(out + 5 * stride, y * t5);
+    prt__vec_store(out + 7 * stride, x * t5);
+    const prt__vec t6 = PRT__R(2.28522899732232868079) * t1 - PRT__R(0.457045799464465736158);
+    prt__vec_store(out + 11 * stride, y * t6);
+    prt__vec_store(out + 13 * stride, x * t6);
+    const prt__vec t7 = PRT__R(4.68332580490102417566) * t1 - PRT__R(2.00713963067186750386);
+    const prt__vec t8 = z * t7;
+    prt__vec_store(out + 19 * stride, y * t8);
+    prt__vec_store(out + 21 * stride, x * t8);
+    const prt__vec t9 = x * y;
+    const prt__vec t10 = t9 + t9;
+    prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t10);
+    const prt__vec t11 = x * x - y * y;
+    prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t11);
+    const prt__vec t12 = PRT__R(1.44530572132027702769) * z;
+    prt__vec_store(out + 10 * stride, t10 * t12);
+    prt__vec_store(out + 14 * stride, t11 * t12);
+    const prt__vec t13 = PRT__R(3.31161143515146006332) * t1 - PRT__R(0.473087347878780009046);
+    prt__vec_store(out + 18 * stride, t10 * t13);
+    prt__vec_store(out + 22 * stride, t11 * t13);
+    const prt__vec t14 = y * t11 + x * t10;
+    prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * t14);
+    const prt__vec t15 = x * t11 - y * t10;
+    prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * t15);
+    const prt__vec t16 = PRT__R(1.77013076977993053104) * z;
+    prt__vec_store(out + 17 * stride, t14 * t16);
+    prt__vec_store(out + 23 * stride, t15 * t16);
+    prt__vec_store(out + 16 * stride, PRT__R(0.625835735449176134587) * (y * t15 + x * t14));
+    prt__vec_store(out + 24 * stride, PRT__R(0.625835735449176134587) * (x * t15 - y * t14));
+}
+
+/* SH basis, 6 bands: 70 multiplications, 18 additions (17 can fuse), 36 stores */
+PRT__STATIC void prt__sh_eval_6(prt_real x, prt_real y, prt_real z, prt_real *PRT__RESTRICT out) {
+    out[0] = PRT__R(0.282094791773878143474);
+    out[2] = PRT__R(0.488602511902919921586) * z;
+    const prt_real t1 = z * z;
+    const prt_real t2 = PRT__R(0.946174695757560018093) * t1 - PRT__R(0.315391565252520006031);
+    out[6] = t2;
+    const prt_real t3 = PRT__R(1.86588166295057695707) * t1 - PRT__R(1.11952899777034617424);
+    const prt_real t4 = z * t3;
+    out[12] = t4;
+    const prt_real t5 = PRT__R(1.98431348329844294288) * (z * t4) - PRT__R(1.00623058987490536338) * t2;
+    out[20] = t5;
+    out[30] = PRT__R(1.98997487421323990947) * (z * t5) - PRT__R(1.00285307284481394976) * t4;
+    out[1] = PRT__R(0.488602511902919921586) * y;
+    out[3] = PRT__R(0.488602511902919921586) * x;
+    const prt_real t6 = PRT__R(1.09254843059207907054) * z;
+    out[5] = y * t6;
+    out[7] = x * t6;
+    const prt_real t7 = PRT__R(2.28522899732232868079) * t1 - PRT__R(0.457045799464465736158);
+    out[11] = y * t7;
+    out[13] = x * t7;
+    const prt_real t8 = PRT__R(4.68332580490102417566) * t1 - PRT__R(2.00713963067186750386);
+    const prt_real t9 = z * t8;
+    out[19] = y * t9;
+    out[21] = x * t9;
+    const prt_real t10 = PRT__R(2.03100960115899009011) * (z * t9) - PRT__R(0.991031208965114853339) * t7;
+    out[29] = y * t10;
+    out[31] = x * t10;
+    const prt_real t11 = x * y;
+    const prt_real t12 = t11 + t11;
+    out[4] = PRT__R(0.546274215296039535272) * t12;
+    const prt_real t13 = x * x - y * y;
+    out[8] = PRT__R(0.546274215296039535272) * t13;
+    const prt_real t14 = PRT__R(1.44530572132027702769) * z;
+    out[10] = t12 * t14;
+    out[14] = t13 * t14;
+    const prt_real t15 = PRT__R(3.31161143515146006332) * t1 - PRT__R(0.473087347878780009046);
+    out[18] = t12 * t15;
+    out[22] = t13 * t15;
+    const prt_real t16 = PRT__R(7.1903051774599856325) * t1 - PRT__R(2.3967683924866618775);
+    const prt_real t17 = z * t16;
+    out[28] = t12 * t17;
+    out[32] = t13 * t17;
+    const prt_real t18 = y * t13 + x * t12;
+    out[9] = PRT__R(0.590043589926643510346) * t18;
+    const prt_real t19 = x * t13 - y * t12;
+    out[15] = PRT__R(0.590043589926643510346) * t19;
+    const prt_real t20 = PRT__R(1.77013076977993053104) * z;
+    out[17] = t18 * t20;
+    out[23] = t19 * t20;
+    const prt_real t21 = PRT__R(4.40314469491725348916) * t1 - PRT__R(0.489238299435250387684);
+    out[27] = t18 * t21;
+    out[33] = t19 * t21;
+    const prt_real t22 = y * t19 + x * t18;
+    out[16] = PRT__R(0.625835735449176134587) * t22;
+    const prt_real t23 = x * t19 - y * t18;
+    out[24] = PRT__R(0.625835735449176134587) * t23;
+    const prt_real t24 = PRT__R(2.075662314881041279) * z;
+    out[26] = t22 * t24;
+    out[34] = t23 * t24;
+    out[25] = PRT__R(0.656382056840170102814) * (y * t23 + x * t22);
+    out[35] = PRT__R(0.656382056840170102814) * (x * t23 - y * t22);
+}
+
+/* SH basis, 6 bands: 70 multiplications, 18 additions (17 can fuse), 36 stores */
+PRT__STATIC void prt__sh_eval_6_v(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, size_t stride) {
+    prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+    prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
+    const prt__vec t1 = z * z;
+    const prt__vec t2 = PRT__R(0.946174695757560018093) * t1 - PRT__R(0.315391565252520006031);
+    prt__vec_store(out + 6 * stride, t2);
+    const prt__vec t3 = PRT__R(1.86588166295057695707) * t1 - PRT__R(1.11952899777034617424);
+    const prt__vec t4 = z * t3;
+    prt__vec_store(out + 12 * stride, t4);
+    const prt__vec t5 = PRT__R(1.98431348329844294288) * (z * t4) - PRT__R(1.00623058987490536338) * t2;
+    prt__vec_store(out + 20 * stride, t5);
+    prt__vec_store(out + 30 * stride, PRT__R(1.98997487421323990947) * (z * t5) - PRT__R(1.00285307284481394976) * t4);
+    prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
+    prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
+    const prt__vec t6 = PRT__R(1.09254843059207907054) * z;
+    prt__vec_store(out + 5 * stride, y * t6);
+    prt__vec_store(out + 7 * stride, x * t6);
+    const prt__vec t7 = PRT__R(2.28522899732232868079) * t1 - PRT__R(0.457045799464465736158);
+    prt__vec_store(out + 11 * stride, y * t7);
+    prt__vec_store(out + 13 * stride, x * t7);
+    const prt__vec t8 = PRT__R(4.68332580490102417566) * t1 - PRT__R(2.00713963067186750386);
+    const prt__vec t9 = z * t8;
+    prt__vec_store(out + 19 * stride, y * t9);
+    prt__vec_store(out + 21 * stride, x * t9);
+    const prt__vec t10 = PRT__R(2.03100960115899009011) * (z * t9) - PRT__R(0.991031208965114853339) * t7;
+    prt__vec_store(out + 29 * stride, y * t10);
+    prt__vec_store(out + 31 * stride, x * t10);
+    const prt__vec t11 = x * y;
+    const prt__vec t12 = t11 + t11;
+    prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t12);
+    const prt__vec t13 = x * x - y * y;
+    prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t13);
+    const prt__vec t14 = PRT__R(1.44530572132027702769) * z;
+    prt__vec_store(out + 10 * stride, t12 * t14);
+    prt__vec_store(out + 14 * stride, t13 * t14);
+    const prt__vec t15 = PRT__R(3.31161143515146006332) * t1 - PRT__R(0.473087347878780009046);
+    prt__vec_store(out + 18 * stride, t12 * t15);
+    prt__vec_store(out + 22 * stride, t13 * t15);
+    const prt__vec t16 = PRT__R(7.1903051774599856325) * t1 - PRT__R(2.3967683924866618775);
+    const prt__vec t17 = z * t16;
+    prt__vec_store(out + 28 * stride, t12 * t17);
+    prt__vec_store(out + 32 * stride, t13 * t17);
+    const prt__vec t18 = y * t13 + x * t12;
+    prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * t18);
+    const prt__vec t19 = x * t13 - y * t12;
+    prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * t19);
+    const prt__vec t20 = PRT__R(1.77013076977993053104) * z;
+    prt__vec_store(out + 17 * stride, t18 * t20);
+    prt__vec_store(out + 23 * stride, t19 * t20);
+    const prt__vec t21 = PRT__R(4.40314469491725348916) * t1 - PRT__R(0.489238299435250387684);
+    prt__vec_store(out + 27 * stride, t18 * t21);
+    prt__vec_store(out + 33 * stride, t19 * t21);
+    const prt__vec t22 = y * t19 + x * t18;
+    prt__vec_store(out + 16 * stride, PRT__R(0.625835735449176134587) * t22);
+    const prt__vec t23 = x * t19 - y * t18;
+    prt__vec_store(out + 24 * stride, PRT__R(0.625835735449176134587) * t23);
+    const prt__vec t24 = PRT__R(2.075662314881041279) * z;
+    prt__vec_store(out + 26 * stride, t22 * t24);
+    prt__vec_store(out + 34 * stride, t23 * t24);
+    prt__vec_store(out + 25 * stride, PRT__R(0.656382056840170102814) * (y * t23 + x * t22));
+    prt__vec_store(out + 35 * stride, PRT__R(0.656382056840170102814) * (x * t23 - y * t22));
+}
+
+/* SH basis, 7 bands: 99 multiplications, 25 additions (24 can fuse), 49 stores */
+PRT__STATIC void prt__sh_eval_7(prt_real x, prt_real y, prt_real z, prt_real *PRT__RESTRICT out) {
+    out[0] = PRT__R(0.282094791773878143474);
+    out[2] = PRT__R(0.488602511902919921586) * z;
+    const prt_real t1 = z * z;
+    const prt_real t2 = PRT__R(0.946174695757560018093) * t1 - PRT__R(0.315391565252520006031);
+    out[6] = t2;
+    const prt_real t3 = PRT__R(1.86588166295057695707) * t1 - PRT__R(1.11952899777034617424);
+    const prt_real t4 = z * t3;
+    out[12] = t4;
+    const prt_real t5 = PRT__R(1.98431348329844294288) * (z * t4) - PRT__R(1.00623058987490536338) * t2;
+    out[20] = t5;
+    const prt_real t6 = PRT__R(1.98997487421323990947) * (z * t5) - PRT__R(1.00285307284481394976) * t4;
+    out[30] = t6;
+    out[42] = PRT__R(1.99304345718356633685) * (z * t6) - PRT__R(1.00154202096221924809) * t5;
+    out[1] = PRT__R(0.488602511902919921586) * y;
+    out[3] = PRT__R(0.488602511902919921586) * x;
+    const prt_real t7 = PRT__R(1.09254843059207907054) * z;
+    out[5] = y * t7;
+    out[7] = x * t7;
+    const prt_real t8 = PRT__R(2.28522899732232868079) * t1 - PRT__R(0.457045799464465736158);
+    out[11] = y * t8;
+    out[13] = x * t8;
+    const prt_real t9 = PRT__R(4.68332580490102417566) * t1 - PRT__R(2.00713963067186750386);
+    const prt_real t10 = z * t9;
+    out[19] = y * t10;
+    out[21] = x * t10;
+    const prt_real t11 = PRT__R(2.03100960115899009011) * (z * t10) - PRT__R(0.991031208965114853339) * t8;
+    out[29] = y * t11;
+    out[31] = x * t11;
+    const prt_real t12 = PRT__R(2.02131498923702777609) * (z * t11) - PRT__R(0.995226703056238577025) * t10;
+    out[41] = y * t12;
+    out[43] = x * t12;
+    const prt_real t13 = x * y;
+    const prt_real t14 = t13 + t13;
+    out[4] = PRT__R(0.546274215296039535272) * t14;
+    const prt_real t15 = x * x - y * y;
+    out[8] = PRT__R(0.546274215296039535272) * t15;
+    const prt_real t16 = PRT__R(1.44530572132027702769) * z;
+    out[10] = t14 * t16;
+    out[14] = t15 * t16;
+    const prt_real t17 = PRT__R(3.31161143515146006332) * t1 - PRT__R(0.473087347878780009046);
+    out[18] = t14 * t17;
+    out[22] = t15 * t17;
+    const prt_real t18 = PRT__R(7.1903051774599856325) * t1 - PRT__R(2.3967683924866618775);
+    const prt_real t19 = z * t18;
+    out[28] = t14 * t19;
+    out[32] = t15 * t19;
+    const prt_real t20 = PRT__R(2.11394181566097036227) * (z * t19) - PRT__R(0.973610120462326884222) * t17;
+    out[40] = t14 * t20;
+    out[44] = t15 * t20;
+    const prt_real t21 = y * t15 + x * t14;
+    out[9] = PRT__R(0.590043589926643510346) * t21;
+    const prt_real t22 = x * t15 - y * t14;
+    out[15] = PRT__R(0.590043589926643510346) * t22;
+    const prt_real t23 = PRT__R(1.77013076977993053104) * z;
+    out[17] = t21 * t23;
+    out[23] = t22 * t23;
+    const prt_real t24 = PRT__R(4.40314469491725348916) * t1 - PRT__R(0.489238299435250387684);
+    out[27] = t21 * t24;
+    out[33] = t22 * t24;
+    const prt_real t25 = PRT__R(10.1332578546641584906) * t1 - PRT__R(2.76361577854477049742);
+    const prt_real t26 = z * t25;
+    out[39] = t21 * t26;
+    out[45] = t22 * t26;
+    const prt_real t27 = y * t22 + x * t21;
+    out[16] = PRT__R(0.625835735449176134587) * t27;
+    const prt_real t28 = x * t22 - y * t21;
+    out[24] = PRT__R(0.625835735449176134587) * t28;
+    const prt_real t29 = PRT__R(2.075662314881041279) * z;
+    out[26] = t27 * t29;
+    out[34] = t28 * t29;
+    const prt_real t30 = PRT__R(5.5502139080159657518) * t1 - PRT__R(0.504564900728724159254);
+    out[38] = t27 * t30;
+    out[46] = t28 * t30;
+    const prt_real t31 = y * t28 + x * t27;
+    out[25] = PRT__R(0.656382056840170102814) * t31;
+    const prt_real t32 = x * t28 - y * t27;
+    out[35] = PRT__R(0.656382056840170102814) * t32;
+    const prt_real t33 = PRT__R(2.36661916223175203199) * z;
+    out[37] = t31 * t33;
+    out[47] = t32 * t33;
+    out[36] = PRT__R(0.683184105191914321975) * (y * t32 + x * t31);
+    out[48] = PRT__R(0.683184105191914321975) * (x * t32 - y * t31);
+}
+
+/* SH basis, 7 bands: 99 multiplications, 25 additions (24 can fuse), 49 stores */
+PRT__STATIC void prt__sh_eval_7_v(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, size_t stride) {
+    prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+    prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
+    const prt__vec t1 = z * z;
+    const prt__vec t2 = PRT__R(0.946174695757560018093) * t1 - PRT__R(0.315391565252520006031);
+    prt__vec_store(out + 6 * stride, t2);
+    const prt__vec t3 = PRT__R(1.86588166295057695707) * t1 - PRT__R(1.11952899777034617424);
+    const prt__vec t4 = z * t3;
+    prt__vec_store(out + 12 * stride, t4);
+    const prt__vec t5 = PRT__R(1.98431348329844294288) * (z * t4) - PRT__R(1.00623058987490536338) * t2;
+    prt__vec_store(out + 20 * stride, t5);
+    const prt__vec t6 = PRT__R(1.98997487421323990947) * (z * t5) - PRT__R(1.00285307284481394976) * t4;
+    prt__vec_store(out + 30 * stride, t6);
+    prt__vec_store(out + 42 * stride, PRT__R(1.99304345718356633685) * (z * t6) - PRT__R(1.00154202096221924809) * t5);
+    prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
+    prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
+    const prt__vec t7 = PRT__R(1.09254843059207907054) * z;
+    prt__vec_store(out + 5 * stride, y * t7);
+    prt__vec_store(out + 7 * stride, x * t7);
+    const prt__vec t8 = PRT__R(2.28522899732232868079) * t1 - PRT__R(0.457045799464465736158);
+    prt__vec_store(out + 11 * stride, y * t8);
+    prt__vec_store(out + 13 * stride, x * t8);
+    const prt__vec t9 = PRT__R(4.68332580490102417566) * t1 - PRT__R(2.00713963067186750386);
+    const prt__vec t10 = z * t9;
+    prt__vec_store(out + 19 * stride, y * t10);
+    prt__vec_store(out + 21 * stride, x * t10);
+    const prt__vec t11 = PRT__R(2.03100960115899009011) * (z * t10) - PRT__R(0.991031208965114853339) * t8;
+    prt__vec_store(out + 29 * stride, y * t11);
+    prt__vec_store(out + 31 * stride, x * t11);
+    const prt__vec t12 = PRT__R(2.02131498923702777609) * (z * t11) - PRT__R(0.995226703056238577025) * t10;
+    prt__vec_store(out + 41 * stride, y * t12);
+    prt__vec_store(out + 43 * stride, x * t12);
+    const prt__vec t13 = x * y;
+    const prt__vec t14 = t13 + t13;
+    prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t14);
+    const prt__vec t15 = x * x - y * y;
+    prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t15);
+    const prt__vec t16 = PRT__R(1.44530572132027702769) * z;
+    prt__vec_store(out + 10 * stride, t14 * t16);
+    prt__vec_store(out + 14 * stride, t15 * t16);
+    const prt__vec t17 = PRT__R(3.31161143515146006332) * t1 - PRT__R(0.473087347878780009046);
+    prt__vec_store(out + 18 * stride, t14 * t17);
+    prt__vec_store(out + 22 * stride, t15 * t17);
+    const prt__vec t18 = PRT__R(7.1903051774599856325) * t1 - PRT__R(2.3967683924866618775);
+    const prt__vec t19 = z * t18;
+    prt__vec_store(out + 28 * stride, t14 * t19);
+    prt__vec_store(out + 32 * stride, t15 * t19);
+    const prt__vec t20 = PRT__R(2.11394181566097036227) * (z * t19) - PRT__R(0.973610120462326884222) * t17;
+    prt__vec_store(out + 40 * stride, t14 * t20);
+    prt__vec_store(out + 44 * stride, t15 * t20);
+    const prt__vec t21 = y * t15 + x * t14;
+    prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * t21);
+    const prt__vec t22 = x * t15 - y * t14;
+    prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * t22);
+    const prt__vec t23 = PRT__R(1.77013076977993053104) * z;
+    prt__vec_store(out + 17 * stride, t21 * t23);
+    prt__vec_store(out + 23 * stride, t22 * t23);
+    const prt__vec t24 = PRT__R(4.40314469491725348916) * t1 - PRT__R(0.489238299435250387684);
+    prt__vec_store(out + 27 * stride, t21 * t24);
+    prt__vec_store(out + 33 * stride, t22 * t24);
+    const prt__vec t25 = PRT__R(10.1332578546641584906) * t1 - PRT__R(2.76361577854477049742);
+    const prt__vec t26 = z * t25;
+    prt__vec_store(out + 39 * stride, t21 * t26);
+    prt__vec_store(out + 45 * stride, t22 * t26);
+    const prt__vec t27 = y * t22 + x * t21;
+    prt__vec_store(out + 16 * stride, PRT__R(0.625835735449176134587) * t27);
+    const prt__vec t28 = x * t22 - y * t21;
+    prt__vec_store(out + 24 * stride, PRT__R(0.625835735449176134587) * t28);
+    const prt__vec t29 = PRT__R(2.075662314881041279) * z;
+    prt__vec_store(out + 26 * stride, t27 * t29);
+    prt__vec_store(out + 34 * stride, t28 * t29);
+    const prt__vec t30 = PRT__R(5.5502139080159657518) * t1 - PRT__R(0.504564900728724159254);
+    prt__vec_store(out + 38 * stride, t27 * t30);
+    prt__vec_store(out + 46 * stride, t28 * t30);
+    const prt__vec t31 = y * t28 + x * t27;
+    prt__vec_store(out + 25 * stride, PRT__R(0.656382056840170102814) * t31);
+    const prt__vec t32 = x * t28 - y * t27;
+    prt__vec_store(out + 35 * stride, PRT__R(0.656382056840170102814) * t32);
+    const prt__vec t33 = PRT__R(2.36661916223175203199) * z;
+    prt__vec_store(out + 37 * stride, t31 * t33);
+    prt__vec_store(out + 47 * stride, t32 * t33);
+    prt__vec_store(out + 36 * stride, PRT__R(0.683184105191914321975) * (y * t32 + x * t31));
+    prt__vec_store(out + 48 * stride, PRT__R(0.683184105191914321975) * (x * t32 - y * t31));
+}
+
+/* SH basis, 8 bands: 133 multiplications, 33 additions (32 can fuse), 64 stores */
+PRT__STATIC void prt__sh_eval_8(prt_real x, prt_real y, prt_real z, prt_real *PRT__RESTRICT out) {
+    out[0] = PRT__R(0.282094791773878143474);
+    out[2] = PRT__R(0.488602511902919921586) * z;
+    const prt_real t1 = z * z;
+    const prt_real t2 = PRT__R(0.946174695757560018093) * t1 - PRT__R(0.315391565252520006031);
+    out[6] = t2;
+    const prt_real t3 = PRT__R(1.86588166295057695707) * t1 - PRT__R(1.11952899777034617424);
+    const prt_real t4 = z * t3;
+    out[12] = t4;
+    const prt_real t5 = PRT__R(1.98431348329844294288) * (z * t4) - PRT__R(1.00623058987490536338) * t2;
+    out[20] = t5;
+    const prt_real t6 = PRT__R(1.98997487421323990947) * (z * t5) - PRT__R(1.00285307284481394976) * t4;
+    out[30] = t6;
+    const prt_real t7 = PRT__R(1.99304345718356633685) * (z * t6) - PRT__R(1.00154202096221924809) * t5;
+    out[42] = t7;
+    out[56] = PRT__R(1.99489143482413445284) * (z * t7) - PRT__R(1.00092721392195810546) * t6;
+    out[1] = PRT__R(0.488602511902919921586) * y;
+    out[3] = PRT__R(0.488602511902919921586) * x;
+    const prt_real t8 = PRT__R(1.09254843059207907054) * z;
+    out[5] = y * t8;
+    out[7] = x * t8;
+    const prt_real t9 = PRT__R(2.28522899732232868079) * t1 - PRT__R(0.457045799464465736158);
+    out[11] = y * t9;
+    out[13] = x * t9;
+    const prt_real t10 = PRT__R(4.68332580490102417566) * t1 - PRT__R(2.00713963067186750386);
+    const prt_real t11 = z * t10;
+    out[19] = y * t11;
+    out[21] = x * t11;
+    const prt_real t12 = PRT__R(2.03100960115899009011) * (z * t11) - PRT__R(0.991031208965114853339) * t9;
+    out[29] = y * t12;
+    out[31] = x * t12;
+    const prt_real t13 = PRT__R(2.02131498923702777609) * (z * t12) - PRT__R(0.995226703056238577025) * t11;
+    out[41] = y * t13;
+    out[43] = x * t13;
+    const prt_real t14 = PRT__R(2.01556443707463741309) * (z * t13) - PRT__R(0.997155044021832052319) * t12;
+    out[55] = y * t14;
+    out[57] = x * t14;
+    const prt_real t15 = x * y;
+    const prt_real t16 = t15 + t15;
+    out[4] = PRT__R(0.546274215296039535272) * t16;
+    const prt_real t17 = x * x - y * y;
+    out[8] = PRT__R(0.546274215296039535272) * t17;
+    const prt_real t18 = PRT__R(1.44530572132027702769) * z;
+    out[10] = t16 * t18;
+    out[14] = t17 * t18;
+    const prt_real t19 = PRT__R(3.31161143515146006332) * t1 - PRT__R(0.473087347878780009046);
+    out[18] = t16 * t19;
+    out[22] = t17 * t19;
+    const prt_real t20 = PRT__R(7.1903051774599856325) * t1 - PRT__R(2.3967683924866618775);
+    const prt_real t21 = z * t20;
+    out[28] = t16 * t21;
+    out[32] = t17 * t21;
+    const prt_real t22 = PRT__R(2.11394181566097036227) * (z * t21) - PRT__R(0.973610120462326884222) * t19;
+    out[40] = t16 * t22;
+    out[44] = t17 * t22;
+    const prt_real t23 = PRT__R(2.08166599946613273528) * (z * t22) - PRT__R(0.984731927834661861874) * t21;
+    out[54] = t16 * t23;
+    out[58] = t17 * t23;
+    const prt_real t24 = y * t17 + x * t16;
+    out[9] = PRT__R(0.590043589926643510346) * t24;
+    const prt_real t25 = x * t17 - y * t16;
+    out[15] = PRT__R(0.590043589926643510346) * t25;
+    const prt_real t26 = PRT__R(1.77013076977993053104) * z;
+    out[17] = t24 * t26;
+    out[23] = t25 * t26;
+    const prt_real t27 = PRT__R(4.40314469491725348916) * t1 - PRT__R(0.489238299435250387684);
+    out[27] = t24 * t27;
+    out[33] = t25 * t27;
+    const prt_real t28 = PRT__R(10.1332578546641584906) * t1 - PRT__R(2.76361577854477049742);
+    const prt_real t29 = z * t28;
+    out[39] = t24 * t29;
+    out[45] = t25 * t29;
+    const prt_real t30 = PRT__R(2.20794021658196171369) * (z * t29) - PRT__R(0.959403223600246954343) * t27;
+    out[53] = t24 * t30;
+    out[59] = t25 * t30;
+    const prt_real t31 = y * t25 + x * t24;
+    out[16] = PRT__R(0.625835735449176134587) * t31;
+    const prt_real t32 = x * t25 - y * t24;
+    out[24] = PRT__R(0.625835735449176134587) * t32;
+    const prt_real t33 = PRT__R(2.075662314881041279) * z;
+    out[26] = t31 * t33;
+    out[34] = t32 * t33;
+    const prt_real t34 = PRT__R(5.5502139080159657518) * t1 - PRT__R(0.504564900728724159254);
+    out[38] = t31 * t34;
+    out[46] = t32 * t34;
+    const prt_real t35 = PRT__R(13.4918050467267683135) * t1 - PRT__R(3.11349347232156191849);
+    const prt_real t36 = z * t35;
+    out[52] = t31 * t36;
+    out[60] = t32 * t36;
+    const prt_real t37 = y * t32 + x * t31;
+    out[25] = PRT__R(0.656382056840170102814) * t37;
+    const prt_real t38 = x * t32 - y * t31;
+    out[35] = PRT__R(0.656382056840170102814) * t38;
+    const prt_real t39 = PRT__R(2.36661916223175203199) * z;
+    out[37] = t37 * t39;
+    out[47] = t38 * t39;
+    const prt_real t40 = PRT__R(6.74590252336338415674) * t1 - PRT__R(0.518915578720260319749);
+    out[51] = t37 * t40;
+    out[61] = t38 * t40;
+    const prt_real t41 = y * t38 + x * t37;
+    out[36] = PRT__R(0.683184105191914321975) * t41;
+    const prt_real t42 = x * t38 - y * t37;
+    out[48] = PRT__R(0.683184105191914321975) * t42;
+    const prt_real t43 = PRT__R(2.64596066180190022197) * z;
+    out[50] = t41 * t43;
+    out[62] = t42 * t43;
+    out[49] = PRT__R(0.707162732524596178226) * (y * t42 + x * t41);
+    out[63] = PRT__R(0.707162732524596178226) * (x * t42 - y * t41);
+}
+
+/* SH basis, 8 bands: 133 multiplications, 33 additions (32 can fuse), 64 stores */
+PRT__STATIC void prt__sh_eval_8_v(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, size_t stride) {
+    prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+    prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
+    const prt__vec t1 = z * z;
+    const prt__vec t2 = PRT__R(0.946174695757560018093) * t1 - PRT__R(0.315391565252520006031);
+    prt__vec_store(out + 6 * stride, t2);
+    const prt__vec t3 = PRT__R(1.86588166295057695707) * t1 - PRT__R(1.11952899777034617424);
+    const prt__vec t4 = z * t3;
+    prt__vec_store(out + 12 * stride, t4);
+    const prt__vec t5 = PRT__R(1.98431348329844294288) * (z * t4) - PRT__R(1.00623058987490536338) * t2;
+    prt__vec_store(out + 20 * stride, t5);
+    const prt__vec t6 = PRT__R(1.98997487421323990947) * (z * t5) - PRT__R(1.00285307284481394976) * t4;
+    prt__vec_store(out + 30 * stride, t6);
+    const prt__vec t7 = PRT__R(1.99304345718356633685) * (z * t6) - PRT__R(1.00154202096221924809) * t5;
+    prt__vec_store(out + 42 * stride, t7);
+    prt__vec_store(out + 56 * stride, PRT__R(1.99489143482413445284) * (z * t7) - PRT__R(1.00092721392195810546) * t6);
+    prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
+    prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
+    const prt__vec t8 = PRT__R(1.09254843059207907054) * z;
+    prt__vec_store(out + 5 * stride, y * t8);
+    prt__vec_store(out + 7 * stride, x * t8);
+    const prt__vec t9 = PRT__R(2.28522899732232868079) * t1 - PRT__R(0.457045799464465736158);
+    prt__vec_store(out + 11 * stride, y * t9);
+    prt__vec_store(out + 13 * stride, x * t9);
+    const prt__vec t10 = PRT__R(4.68332580490102417566) * t1 - PRT__R(2.00713963067186750386);
+    const prt__vec t11 = z * t10;
+    prt__vec_store(out + 19 * stride, y * t11);
+    prt__vec_store(out + 21 * stride, x * t11);
+    const prt__vec t12 = PRT__R(2.03100960115899009011) * (z * t11) - PRT__R(0.991031208965114853339) * t9;
+    prt__vec_store(out + 29 * stride, y * t12);
+    prt__vec_store(out + 31 * stride, x * t12);
+    const prt__vec t13 = PRT__R(2.02131498923702777609) * (z * t12) - PRT__R(0.995226703056238577025) * t11;
+    prt__vec_store(out + 41 * stride, y * t13);
+    prt__vec_store(out + 43 * stride, x * t13);
+    const prt__vec t14 = PRT__R(2.01556443707463741309) * (z * t13) - PRT__R(0.997155044021832052319) * t12;
+    prt__vec_store(out + 55 * stride, y * t14);
+    prt__vec_store(out + 57 * stride, x * t14);
+    const prt__vec t15 = x * y;
+    const prt__vec t16 = t15 + t15;
+    prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t16);
+    const prt__vec t17 = x * x - y * y;
+    prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t17);
+    const prt__vec t18 = PRT__R(1.44530572132027702769) * z;
+    prt__vec_store(out + 10 * stride, t16 * t18);
+    prt__vec_store(out + 14 * stride, t17 * t18);
+    const prt__vec t19 = PRT__R(3.31161143515146006332) * t1 - PRT__R(0.473087347878780009046);
+    prt__vec_store(out + 18 * stride, t16 * t19);
+    prt__vec_store(out + 22 * stride, t17 * t19);
+    const prt__vec t20 = PRT__R(7.1903051774599856325) * t1 - PRT__R(2.3967683924866618775);
+    const prt__vec t21 = z * t20;
+    prt__vec_store(out + 28 * stride, t16 * t21);
+    prt__vec_store(out + 32 * stride, t17 * t21);
+    const prt__vec t22 = PRT__R(2.11394181566097036227) * (z * t21) - PRT__R(0.973610120462326884222) * t19;
+    prt__vec_store(out + 40 * stride, t16 * t22);
+    prt__vec_store(out + 44 * stride, t17 * t22);
+    const prt__vec t23 = PRT__R(2.08166599946613273528) * (z * t22) - PRT__R(0.984731927834661861874) * t21;
+    prt__vec_store(out + 54 * stride, t16 * t23);
+    prt__vec_store(out + 58 * stride, t17 * t23);
+    const prt__vec t24 = y * t17 + x * t16;
+    prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * t24);
+    const prt__vec t25 = x * t17 - y * t16;
+    prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * t25);
+    const prt__vec t26 = PRT__R(1.77013076977993053104) * z;
+    prt__vec_store(out + 17 * stride, t24 * t26);
+    prt__vec_store(out + 23 * stride, t25 * t26);
+    const prt__vec t27 = PRT__R(4.40314469491725348916) * t1 - PRT__R(0.489238299435250387684);
+    prt__vec_store(out + 27 * stride, t24 * t27);
+    prt__vec_store(out + 33 * stride, t25 * t27);
+    const prt__vec t28 = PRT__R(10.1332578546641584906) * t1 - PRT__R(2.76361577854477049742);
+    const prt__vec t29 = z * t28;
+    prt__vec_store(out + 39 * stride, t24 * t29);
+    prt__vec_store(out + 45 * stride, t25 * t29);
+    const prt__vec t30 = PRT__R(2.20794021658196171369) * (z * t29) - PRT__R(0.959403223600246954343) * t27;
+    prt__vec_store(out + 53 * stride, t24 * t30);
+    prt__vec_store(out + 59 * stride, t25 * t30);
+    const prt__vec t31 = y * t25 + x * t24;
+    prt__vec_store(out + 16 * stride, PRT__R(0.625835735449176134587) * t31);
+    const prt__vec t32 = x * t25 - y * t24;
+    prt__vec_store(out + 24 * stride, PRT__R(0.625835735449176134587) * t32);
+    const prt__vec t33 = PRT__R(2.075662314881041279) * z;
+    prt__vec_store(out + 26 * stride, t31 * t33);
+    prt__vec_store(out + 34 * stride, t32 * t33);
+    const prt__vec t34 = PRT__R(5.5502139080159657518) * t1 - PRT__R(0.504564900728724159254);
+    prt__vec_store(out + 38 * stride, t31 * t34);
+    prt__vec_store(out + 46 * stride, t32 * t34);
+    const prt__vec t35 = PRT__R(13.4918050467267683135) * t1 - PRT__R(3.11349347232156191849);
+    const prt__vec t36 = z * t35;
+    prt__vec_store(out + 52 * stride, t31 * t36);
+    prt__vec_store(out + 60 * stride, t32 * t36);
+    const prt__vec t37 = y * t32 + x * t31;
+    prt__vec_store(out + 25 * stride, PRT__R(0.656382056840170102814) * t37);
+    const prt__vec t38 = x * t32 - y * t31;
+    prt__vec_store(out + 35 * stride, PRT__R(0.656382056840170102814) * t38);
+    const prt__vec t39 = PRT__R(2.36661916223175203199) * z;
+    prt__vec_store(out + 37 * stride, t37 * t39);
+    prt__vec_store(out + 47 * stride, t38 * t39);
+    const prt__vec t40 = PRT__R(6.74590252336338415674) * t1 - PRT__R(0.518915578720260319749);
+    prt__vec_store(out + 51 * stride, t37 * t40);
+    prt__vec_store(out + 61 * stride, t38 * t40);
+    const prt__vec t41 = y * t38 + x * t37;
+    prt__vec_store(out + 36 * stride, PRT__R(0.683184105191914321975) * t41);
+    const prt__vec t42 = x * t38 - y * t37;
+    prt__vec_store(out + 48 * stride, PRT__R(0.683184105191914321975) * t42);
+    const prt__vec t43 = PRT__R(2.64596066180190022197) * z;
+    prt__vec_store(out + 50 * stride, t41 * t43);
+    prt__vec_store(out + 62 * stride, t42 * t43);
+    prt__vec_store(out + 49 * stride, PRT__R(0.707162732524596178226) * (y * t42 + x * t41));
+    prt__vec_store(out + 63 * stride, PRT__R(0.707162732524596178226) * (x * t42 - y * t41));
+}
+
+/* SH basis, 9 bands: 172 multiplications, 42 additions (41 can fuse), 81 stores */
+PRT__STATIC void prt__sh_eval_9(prt_real x, prt_real y, prt_real z, prt_real *PRT__RESTRICT out) {
+    out[0] = PRT__R(0.282094791773878143474);
+    out[2] = PRT__R(0.488602511902919921586) * z;
+    const prt_real t1 = z * z;
+    const prt_real t2 = PRT__R(0.946174695757560018093) * t1 - PRT__R(0.315391565252520006031);
+    out[6] = t2;
+    const prt_real t3 = PRT__R(1.86588166295057695707) * t1 - PRT__R(1.11952899777034617424);
+    const prt_real t4 = z * t3;
+    out[12] = t4;
+    const prt_real t5 = PRT__R(1.98431348329844294288) * (z * t4) - PRT__R(1.00623058987490536338) * t2;
+    out[20] = t5;
+    const prt_real t6 = PRT__R(1.98997487421323990947) * (z * t5) - PRT__R(1.00285307284481394976) * t4;
+    out[30] = t6;
+    const prt_real t7 = PRT__R(1.99304345718356633685) * (z * t6) - PRT__R(1.00154202096221924809) * t5;
+    out[42] = t7;
+    const prt_real t8 = PRT__R(1.99489143482413445284) * (z * t7) - PRT__R(1.00092721392195810546) * t6;
+    out[56] = t8;
+    out[72] = PRT__R(1.99608992783391399988) * (z * t8) - PRT__R(1.00060078106951479479) * t7;
+    out[1] = PRT__R(0.488602511902919921586) * y;
+    out[3] = PRT__R(0.488602511902919921586) * x;
+    const prt_real t9 = PRT__R(1.09254843059207907054) * z;
+    out[5] = y * t9;
+    out[7] = x * t9;
+    const prt_real t10 = PRT__R(2.28522899732232868079) * t1 - PRT__R(0.457045799464465736158);
+    out[11] = y * t10;
+    out[13] = x * t10;
+    const prt_real t11 = PRT__R(4.68332580490102417566) * t1 - PRT__R(2.00713963067186750386);
+    const prt_real t12 = z * t11;
+    out[19] = y * t12;
+    out[21] = x * t12;
+    const prt_real t13 = PRT__R(2.03100960115899009011) * (z * t12) - PRT__R(0.991031208965114853339) * t10;
+    out[29] = y * t13;
+    out[31] = x * t13;
+    const prt_real t14 = PRT__R(2.02131498923702777609) * (z * t13) - PRT__R(0.995226703056238577025) * t12;
+    out[41] = y * t14;
+    out[43] = x * t14;
+    const prt_real t15 = PRT__R(2.01556443707463741309) * (z * t14) - PRT__R(0.997155044021832052319) * t13;
+    out[55] = y * t15;
+    out[57] = x * t15;
+    const prt_real t16 = PRT__R(2.01186954040739123146) * (z * t15) - PRT__R(0.998166817890174275952) * t14;
+    out[71] = y * t16;
+    out[73] = x * t16;
+    const prt_real t17 = x * y;
+    const prt_real t18 = t17 + t17;
+    out[4] = PRT__R(0.546274215296039535272) * t18;
+    const prt_real t19 = x * x - y * y;
+    out[8] = PRT__R(0.546274215296039535272) * t19;
+    const prt_real t20 = PRT__R(1.44530572132027702769) * z;
+    out[10] = t18 * t20;
+    out[14] = t19 * t20;
+    const prt_real t21 = PRT__R(3.31161143515146006332) * t1 - PRT__R(0.473087347878780009046);
+    out[18] = t18 * t21;
+    out[22] = t19 * t21;
+    const prt_real t22 = PRT__R(7.1903051774599856325) * t1 - PRT__R(2.3967683924866618775);
+    const prt_real t23 = z * t22;
+    out[28] = t18 * t23;
+    out[32] = t19 * t23;
+    const prt_real t24 = PRT__R(2.11394181566097036227) * (z * t23) - PRT__R(0.973610120462326884222) * t21;
+    out[40] = t18 * t24;
+    out[44] = t19 * t24;
+    const prt_real t25 = PRT__R(2.08166599946613273528) * (z * t24) - PRT__R(0.984731927834661861874) * t23;
+    out[54] = t18 * t25;
+    out[58] = t19 * t25;
+    const prt_real t26 = PRT__R(2.06155281280883027491) * (z * t25) - PRT__R(0.990337937660287135802) * t24;
+    out[70] = t18 * t26;
+    out[74] = t19 * t26;
+    const prt_real t27 = y * t19 + x * t18;
+    out[9] = PRT__R(0.590043589926643510346) * t27;
+    const prt_real t28 = x * t19 - y * t18;
+    out[15] = PRT__R(0.590043589926643510346) * t28;
+    const prt_real t29 = PRT__R(1.77013076977993053104) * z;
+    out[17] = t27 * t29;
+    out[23] = t28 * t29;
+    const prt_real t30 = PRT__R(4.40314469491725348916) * t1 - PRT__R(0.489238299435250387684);
+    out[27] = t27 * t30;
+    out[33] = t28 * t30;
+    const prt_real t31 = PRT__R(10.1332578546641584906) * t1 - PRT__R(2.76361577854477049742);
+    const prt_real t32 = z * t31;
+    out[39] = t27 * t32;
+    out[45] = t28 * t32;
+    const prt_real t33 = PRT__R(2.20794021658196171369) * (z * t32) - PRT__R(0.959403223600246954343) * t30;
+    out[53] = t27 * t33;
+    out[59] = t28 * t33;
+    const prt_real t34 = PRT__R(2.15322168769582022424) * (z * t33) - PRT__R(0.975217386560017729543) * t32;
+    out[69] = t27 * t34;
+    out[75] = t28 * t34;
+    const prt_real t35 = y * t28 + x * t27;
+    out[16] = PRT__R(0.625835735449176134587) * t35;
+    const prt_real t36 = x * t28 - y * t27;
+    out[24] = PRT__R(0.625835735449176134587) * t36;
+    const prt_real t37 = PRT__R(2.075662314881041279) * z;
+    out[26] = t35 * t37;
+    out[34] = t36 * t37;
+    const prt_real t38 = PRT__R(5.5502139080159657518) * t1 - PRT__R(0.504564900728724159254);
+    out[38] = t35 * t38;
+    out[46] = t36 * t38;
+    const prt_real t39 = PRT__R(13.4918050467267683135) * t1 - PRT__R(3.11349347232156191849);
+    const prt_real t40 = z * t39;
+    out[52] = t35 * t40;
+    out[60] = t36 * t40;
+    const prt_real t41 = PRT__R(2.3048861143232218275) * (z * t40) - PRT__R(0.948176387355465385226) * t38;
+    out[68] = t35 * t41;
+    out[76] = t36 * t41;
+    const prt_real t42 = y * t36 + x * t35;
+    out[25] = PRT__R(0.656382056840170102814) * t42;
+    const prt_real t43 = x * t36 - y * t35;
+    out[35] = PRT__R(0.656382056840170102814) * t43;
+    const prt_real t44 = PRT__R(2.36661916223175203199) * z;
+    out[37] = t42 * t44;
+    out[47] = t43 * t44;
+    const prt_real t45 = PRT__R(6.74590252336338415674) * t1 - PRT__R(0.518915578720260319749);
+    out[51] = t42 * t45;
+    out[61] = t43 * t45;
+    const prt_real t46 = PRT__R(17.2495531104905400876) * t1 - PRT__R(3.44991062209810801752);
+    const prt_real t47 = z * t46;
+    out[67] = t42 * t47;
+    out[77] = t43 * t47;
+    const prt_real t48 = y * t43 + x * t42;
+    out[36] = PRT__R(0.683184105191914321975) * t48;
+    const prt_real t49 = x * t43 - y * t42;
+    out[48] = PRT__R(0.683184105191914321975) * t49;
+    const prt_real t50 = PRT__R(2.64596066180190022197) * z;
+    out[50] = t48 * t50;
+    out[62] = t49 * t50;
+    const prt_real t51 = PRT__R(7.98499149089313861467) * t1 - PRT__R(0.532332766059542574311);
+    out[66] = t48 * t51;
+    out[78] = t49 * t51;
+    const prt_real t52 = y * t49 + x * t48;
+    out[49] = PRT__R(0.707162732524596178226) * t52;
+    const prt_real t53 = x * t49 - y * t48;
+    out[63] = PRT__R(0.707162732524596178226) * t53;
+    const prt_real t54 = PRT__R(2.91570664069931947548) * z;
+    out[65] = t52 * t54;
+    out[79] = t53 * t54;
+    out[64] = PRT__R(0.72892666017482986887) * (y * t53 + x * t52);
+    out[80] = PRT__R(0.72892666017482986887) * (x * t53 - y * t52);
+}
+
+/* SH basis, 9 bands: 172 multiplications, 42 additions (41 can fuse), 81 stores */
+PRT__STATIC void prt__sh_eval_9_v(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, size_t stride) {
+    prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+    prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
+    const prt__vec t1 = z * z;
+    const prt__vec t2 = PRT__R(0.946174695757560018093) * t1 - PRT__R(0.315391565252520006031);
+    prt__vec_store(out + 6 * stride, t2);
+    const prt__vec t3 = PRT__R(1.86588166295057695707) * t1 - PRT__R(1.11952899777034617424);
+    const prt__vec t4 = z * t3;
+    prt__vec_store(out + 12 * stride, t4);
+    const prt__vec t5 = PRT__R(1.98431348329844294288) * (z * t4) - PRT__R(1.00623058987490536338) * t2;
+    prt__vec_store(out + 20 * stride, t5);
+    const prt__vec t6 = PRT__R(1.98997487421323990947) * (z * t5) - PRT__R(1.00285307284481394976) * t4;
+    prt__vec_store(out + 30 * stride, t6);
+    const prt__vec t7 = PRT__R(1.99304345718356633685) * (z * t6) - PRT__R(1.00154202096221924809) * t5;
+    prt__vec_store(out + 42 * stride, t7);
+    const prt__vec t8 = PRT__R(1.99489143482413445284) * (z * t7) - PRT__R(1.00092721392195810546) * t6;
+    prt__vec_store(out + 56 * stride, t8);
+    prt__vec_store(out + 72 * stride, PRT__R(1.99608992783391399988) * (z * t8) - PRT__R(1.00060078106951479479) * t7);
+    prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
+    prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
+    const prt__vec t9 = PRT__R(1.09254843059207907054) * z;
+    prt__vec_store(out + 5 * stride, y * t9);
+    prt__vec_store(out + 7 * stride, x * t9);
+    const prt__vec t10 = PRT__R(2.28522899732232868079) * t1 - PRT__R(0.457045799464465736158);
+    prt__vec_store(out + 11 * stride, y * t10);
+    prt__vec_store(out + 13 * stride, x * t10);
+    const prt__vec t11 = PRT__R(4.68332580490102417566) * t1 - PRT__R(2.00713963067186750386);
+    const prt__vec t12 = z * t11;
+    prt__vec_store(out + 19 * stride, y * t12);
+    prt__vec_store(out + 21 * stride, x * t12);
+    const prt__vec t13 = PRT__R(2.03100960115899009011) * (z * t12) - PRT__R(0.991031208965114853339) * t10;
+    prt__vec_store(out + 29 * stride, y * t13);
+    prt__vec_store(out + 31 * stride, x * t13);
+    const prt__vec t14 = PRT__R(2.02131498923702777609) * (z * t13) - PRT__R(0.995226703056238577025) * t12;
+    prt__vec_store(out + 41 * stride, y * t14);
+    prt__vec_store(out + 43 * stride, x * t14);
+    const prt__vec t15 = PRT__R(2.01556443707463741309) * (z * t14) - PRT__R(0.997155044021832052319) * t13;
+    prt__vec_store(out + 55 * stride, y * t15);
+    prt__vec_store(out + 57 * stride, x * t15);
+    const prt__vec t16 = PRT__R(2.01186954040739123146) * (z * t15) - PRT__R(0.998166817890174275952) * t14;
+    prt__vec_store(out + 71 * stride, y * t16);
+    prt__vec_store(out + 73 * stride, x * t16);
+    const prt__vec t17 = x * y;
+    const prt__vec t18 = t17 + t17;
+    prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t18);
+    const prt__vec t19 = x * x - y * y;
+    prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t19);
+    const prt__vec t20 = PRT__R(1.44530572132027702769) * z;
+    prt__vec_store(out + 10 * stride, t18 * t20);
+    prt__vec_store(out + 14 * stride, t19 * t20);
+    const prt__vec t21 = PRT__R(3.31161143515146006332) * t1 - PRT__R(0.473087347878780009046);
+    prt__vec_store(out + 18 * stride, t18 * t21);
+    prt__vec_store(out + 22 * stride, t19 * t21);
+    const prt__vec t22 = PRT__R(7.1903051774599856325) * t1 - PRT__R(2.3967683924866618775);
+    const prt__vec t23 = z * t22;
+    prt__vec_store(out + 28 * stride, t18 * t23);
+    prt__vec_store(out + 32 * stride, t19 * t23);
+    const prt__vec t24 = PRT__R(2.11394181566097036227) * (z * t23) - PRT__R(0.973610120462326884222) * t21;
+    prt__vec_store(out + 40 * stride, t18 * t24);
+    prt__vec_store(out + 44 * stride, t19 * t24);
+    const prt__vec t25 = PRT__R(2.08166599946613273528) * (z * t24) - PRT__R(0.984731927834661861874) * t23;
+    prt__vec_store(out + 54 * stride, t18 * t25);
+    prt__vec_store(out + 58 * stride, t19 * t25);
+    const prt__vec t26 = PRT__R(2.06155281280883027491) * (z * t25) - PRT__R(0.990337937660287135802) * t24;
+    prt__vec_store(out + 70 * stride, t18 * t26);
+    prt__vec_store(out + 74 * stride, t19 * t26);
+    const prt__vec t27 = y * t19 + x * t18;
+    prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * t27);
+    const prt__vec t28 = x * t19 - y * t18;
+    prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * t28);
+    const prt__vec t29 = PRT__R(1.77013076977993053104) * z;
+    prt__vec_store(out + 17 * stride, t27 * t29);
+    prt__vec_store(out + 23 * stride, t28 * t29);
+    const prt__vec t30 = PRT__R(4.40314469491725348916) * t1 - PRT__R(0.489238299435250387684);
+    prt__vec_store(out + 27 * stride, t27 * t30);
+    prt__vec_store(out + 33 * stride, t28 * t30);
+    const prt__vec t31 = PRT__R(10.1332578546641584906) * t1 - PRT__R(2.76361577854477049742);
+    const prt__vec t32 = z * t31;
+    prt__vec_store(out + 39 * stride, t27 * t32);
+    prt__vec_store(out + 45 * stride, t28 * t32);
+    const prt__vec t33 = PRT__R(2.20794021658196171369) * (z * t32) - PRT__R(0.959403223600246954343) * t30;
+    prt__vec_store(out + 53 * stride, t27 * t33);
+    prt__vec_store(out + 59 * stride, t28 * t33);
+    const prt__vec t34 = PRT__R(2.15322168769582022424) * (z * t33) - PRT__R(0.975217386560017729543) * t32;
+    prt__vec_store(out + 69 * stride, t27 * t34);
+    prt__vec_store(out + 75 * stride, t28 * t34);
+    const prt__vec t35 = y * t28 + x * t27;
+    prt__vec_store(out + 16 * stride, PRT__R(0.625835735449176134587) * t35);
+    const prt__vec t36 = x * t28 - y * t27;
+    prt__vec_store(out + 24 * stride, PRT__R(0.625835735449176134587) * t36);
+    const prt__vec t37 = PRT__R(2.075662314881041279) * z;
+    prt__vec_store(out + 26 * stride, t35 * t37);
+    prt__vec_store(out + 34 * stride, t36 * t37);
+    const prt__vec t38 = PRT__R(5.5502139080159657518) * t1 - PRT__R(0.504564900728724159254);
+    prt__vec_store(out + 38 * stride, t35 * t38);
+    prt__vec_store(out + 46 * stride, t36 * t38);
+    const prt__vec t39 = PRT__R(13.4918050467267683135) * t1 - PRT__R(3.11349347232156191849);
+    const prt__vec t40 = z * t39;
+    prt__vec_store(out + 52 * stride, t35 * t40);
+    prt__vec_store(out + 60 * stride, t36 * t40);
+    const prt__vec t41 = PRT__R(2.3048861143232218275) * (z * t40) - PRT__R(0.948176387355465385226) * t38;
+    prt__vec_store(out + 68 * stride, t35 * t41);
+    prt__vec_store(out + 76 * stride, t36 * t41);
+    const prt__vec t42 = y * t36 + x * t35;
+    prt__vec_store(out + 25 * stride, PRT__R(0.656382056840170102814) * t42);
+    const prt__vec t43 = x * t36 - y * t35;
+    prt__vec_store(out + 35 * stride, PRT__R(0.656382056840170102814) * t43);
+    const prt__vec t44 = PRT__R(2.36661916223175203199) * z;
+    prt__vec_store(out + 37 * stride, t42 * t44);
+    prt__vec_store(out + 47 * stride, t43 * t44);
+    const prt__vec t45 = PRT__R(6.74590252336338415674) * t1 - PRT__R(0.518915578720260319749);
+    prt__vec_store(out + 51 * stride, t42 * t45);
+    prt__vec_store(out + 61 * stride, t43 * t45);
+    const prt__vec t46 = PRT__R(17.2495531104905400876) * t1 - PRT__R(3.44991062209810801752);
+    const prt__vec t47 = z * t46;
+    prt__vec_store(out + 67 * stride, t42 * t47);
+    prt__vec_store(out + 77 * stride, t43 * t47);
+    const prt__vec t48 = y * t43 + x * t42;
+    prt__vec_store(out + 36 * stride, PRT__R(0.683184105191914321975) * t48);
+    const prt__vec t49 = x * t43 - y * t42;
+    prt__vec_store(out + 48 * stride, PRT__R(0.683184105191914321975) * t49);
+    const prt__vec t50 = PRT__R(2.64596066180190022197) * z;
+    prt__vec_store(out + 50 * stride, t48 * t50);
+    prt__vec_store(out + 62 * stride, t49 * t50);
+    const prt__vec t51 = PRT__R(7.98499149089313861467) * t1 - PRT__R(0.532332766059542574311);
+    prt__vec_store(out + 66 * stride, t48 * t51);
+    prt__vec_store(out + 78 * stride, t49 * t51);
+    const prt__vec t52 = y * t49 + x * t48;
+    prt__vec_store(out + 49 * stride, PRT__R(0.707162732524596178226) * t52);
+    const prt__vec t53 = x * t49 - y * t48;
+    prt__vec_store(out + 63 * stride, PRT__R(0.707162732524596178226) * t53);
+    const prt__vec t54 = PRT__R(2.91570664069931947548) * z;
+    prt__vec_store(out + 65 * stride, t52 * t54);
+    prt__vec_store(out + 79 * stride, t53 * t54);
+    prt__vec_store(out + 64 * stride, PRT__R(0.72892666017482986887) * (y * t53 + x * t52));
+    prt__vec_store(out + 80 * stride, PRT__R(0.72892666017482986887) * (x * t53 - y * t52));
+}
+
+/* SH basis, 10 bands: 216 multiplications, 52 additions (51 can fuse), 100 stores */
+PRT__STATIC void prt__sh_eval_10(prt_real x, prt_real y, prt_real z, prt_real *PRT__RESTRICT out) {
+    out[0] = PRT__R(0.282094791773878143474);
+    out[2] = PRT__R(0.488602511902919921586) * z;
+    const prt_real t1 = z * z;
+    const prt_real t2 = PRT__R(0.946174695757560018093) * t1 - PRT__R(0.315391565252520006031);
+    out[6] = t2;
+    const prt_real t3 = PRT__R(1.86588166295057695707) * t1 - PRT__R(1.11952899777034617424);
+    const prt_real t4 = z * t3;
+    out[12] = t4;
+    const prt_real t5 = PRT__R(1.98431348329844294288) * (z * t4) - PRT__R(1.00623058987490536338) * t2;
+    out[20] = t5;
+    const prt_real t6 = PRT__R(1.98997487421323990947) * (z * t5) - PRT__R(1.00285307284481394976) * t4;
+    out[30] = t6;
+    const prt_real t7 = PRT__R(1.99304345718356633685) * (z * t6) - PRT__R(1.00154202096221924809) * t5;
+    out[42] = t7;
+    const prt_real t8 = PRT__R(1.99489143482413445284) * (z * t7) - PRT__R(1.00092721392195810546) * t6;
+    out[56] = t8;
+    const prt_real t9 = PRT__R(1.99608992783391399988) * (z * t8) - PRT__R(1.00060078106951479479) * t7;
+    out[72] = t9;
+    out[90] = PRT__R(1.99691119506793649529) * (z * t9) - PRT__R(1.000411437993133759) * t8;
+    out[1] = PRT__R(0.488602511902919921586) * y;
+    out[3] = PRT__R(0.488602511902919921586) * x;
+    const prt_real t10 = PRT__R(1.09254843059207907054) * z;
+    out[5] = y * t10;
+    out[7] = x * t10;
+    const prt_real t11 = PRT__R(2.28522899732232868079) * t1 - PRT__R(0.457045799464465736158);
+    out[11] = y * t11;
+    out[13] = x * t11;
+    const prt_real t12 = PRT__R(4.68332580490102417566) * t1 - PRT__R(2.00713963067186750386);
+    const prt_real t13 = z * t12;
+    out[19] = y * t13;
+    out[21] = x * t13;
+    const prt_real t14 = PRT__R(2.03100960115899009011) * (z * t13) - PRT__R(0.991031208965114853339) * t11;
+    out[29] = y * t14;
+    out[31] = x * t14;
+    const prt_real t15 = PRT__R(2.02131498923702777609) * (z * t14) - PRT__R(0.995226703056238577025) * t13;
+    out[41] = y * t15;
+    out[43] = x * t15;
+    const prt_real t16 = PRT__R(2.01556443707463741309) * (z * t15) - PRT__R(0.997155044021832052319) * t14;
+    out[55] = y * t16;
+    out[57] = x * t16;
+    const prt_real t17 = PRT__R(2.01186954040739123146) * (z * t16) - PRT__R(0.998166817890174275952) * t15;
+    out[71] = y * t17;
+    out[73] = x * t17;
+    const prt_real t18 = PRT__R(2.00935312974101194944) * (z * t17) - PRT__R(0.998749217771908945789) * t16;
+    out[89] = y * t18;
+    out[91] = x * t18;
+    const prt_real t19 = x * y;
+    const prt_real t20 = t19 + t19;
+    out[4] = PRT__R(0.546274215296039535272) * t20;
+    const prt_real t21 = x * x - y * y;
+    out[8] = PRT__R(0.546274215296039535272) * t21;
+    const prt_real t22 = PRT__R(1.44530572132027702769) * z;
+    out[10] = t20 * t22;
+    out[14] = t21 * t22;
+    const prt_real t23 = PRT__R(3.31161143515146006332) * t1 - PRT__R(0.473087347878780009046);
+    out[18] = t20 * t23;
+    out[22] = t21 * t23;
+    const prt_real t24 = PRT__R(7.1903051774599856325) * t1 - PRT__R(2.3967683924866618775);
+    const prt_real t25 = z * t24;
+    out[28] = t20 * t25;
+    out[32] = t21 * t25;
+    const prt_real t26 = PRT__R(2.11394181566097036227) * (z * t25) - PRT__R(0.973610120462326884222) * t23;
+    out[40] = t20 * t26;
+    out[44] = t21 * t26;
+    const prt_real t27 = PRT__R(2.08166599946613273528) * (z * t26) - PRT__R(0.984731927834661861874) * t25;
+    out[54] = t20 * t27;
+    out[58] = t21 * t27;
+    const prt_real t28 = PRT__R(2.06155281280883027491) * (z * t27) - PRT__R(0.990337937660287135802) * t26;
+    out[70] = t20 * t28;
+    out[74] = t21 * t28;
+    const prt_real t29 = PRT__R(2.0481223583578191106) * (z * t28) - PRT__R(0.993485272670404014071) * t27;
+    out[88] = t20 * t29;
+    out[92] = t21 * t29;
+    const prt_real t30 = y * t21 + x * t20;
+    out[9] = PRT__R(0.590043589926643510346) * t30;
+    const prt_real t31 = x * t21 - y * t20;
+    out[15] = PRT__R(0.590043589926643510346) * t31;
+    const prt_real t32 = PRT__R(1.77013076977993053104) * z;
+    out[17] = t30 * t32;
+    out[23] = t31 * t32;
+    const prt_real t33 = PRT__R(4.40314469491725348916) * t1 - PRT__R(0.489238299435250387684);
+    out[27] = t30 * t33;
+    out[33] = t31 * t33;
+    const prt_real t34 = PRT__R(10.1332578546641584906) * t1 - PRT__R(2.76361577854477049742);
+    const prt_real t35 = z * t34;
+    out[39] = t30 * t35;
+    out[45] = t31 * t35;
+    const prt_real t36 = PRT__R(2.20794021658196171369) * (z * t35) - PRT__R(0.959403223600246954343) * t33;
+    out[53] = t30 * t36;
+    out[59] = t31 * t36;
+    const prt_real t37 = PRT__R(2.15322168769582022424) * (z * t36) - PRT__R(0.975217386560017729543) * t35;
+    out[69] = t30 * t37;
+    out[75] = t31 * t37;
+    const prt_real t38 = PRT__R(2.11804417118980573708) * (z * t37) - PRT__R(0.983662844979209628271) * t36;
+    out[87] = t30 * t38;
+    out[93] = t31 * t38;
+    const prt_real t39 = y * t31 + x * t30;
+    out[16] = PRT__R(0.625835735449176134587) * t39;
+    const prt_real t40 = x * t31 - y * t30;
+    out[24] = PRT__R(0.625835735449176134587) * t40;
+    const prt_real t41 = PRT__R(2.075662314881041279) * z;
+    out[26] = t39 * t41;
+    out[34] = t40 * t41;
+    const prt_real t42 = PRT__R(5.5502139080159657518) * t1 - PRT__R(0.504564900728724159254);
+    out[38] = t39 * t42;
+    out[46] = t40 * t42;
+    const prt_real t43 = PRT__R(13.4918050467267683135) * t1 - PRT__R(3.11349347232156191849);
+    const prt_real t44 = z * t43;
+    out[52] = t39 * t44;
+    out[60] = t40 * t44;
+    const prt_real t45 = PRT__R(2.3048861143232218275) * (z * t44) - PRT__R(0.948176387355465385226) * t42;
+    out[68] = t39 * t45;
+    out[76] = t40 * t45;
+    const prt_real t46 = PRT__R(2.22917715070623519765) * (z * t45) - PRT__R(0.967152839723182214167) * t44;
+    out[86] = t39 * t46;
+    out[94] = t40 * t46;
+    const prt_real t47 = y * t40 + x * t39;
+    out[25] = PRT__R(0.656382056840170102814) * t47;
+    const prt_real t48 = x * t40 - y * t39;
+    out[35] = PRT__R(0.656382056840170102814) * t48;
+    const prt_real t49 = PRT__R(2.36661916223175203199) * z;
+    out[37] = t47 * t49;
+    out[47] = t48 * t49;
+    const prt_real t50 = PRT__R(6.74590252336338415674) * t1 - PRT__R(0.518915578720260319749);
+    out[51] = t47 * t50;
+    out[61] = t48 * t50;
+    const prt_real t51 = PRT__R(17.2495531104905400876) * t1 - PRT__R(3.44991062209810801752);
+    const prt_real t52 = z * t51;
+    out[67] = t47 * t52;
+    out[77] = t48 * t52;
+    const prt_real t53 = PRT__R(2.40163634692206114961) * (z * t52) - PRT__R(0.939224604204370884866) * t50;
+    out[85] = t47 * t53;
+    out[95] = t48 * t53;
+    const prt_real t54 = y * t48 + x * t47;
+    out[36] = PRT__R(0.683184105191914321975) * t54;
+    const prt_real t55 = x * t48 - y * t47;
+    out[48] = PRT__R(0.683184105191914321975) * t55;
+    const prt_real t56 = PRT__R(2.64596066180190022197) * z;
+    out[50] = t54 * t56;
+    out[62] = t55 * t56;
+    const prt_real t57 = PRT__R(7.98499149089313861467) * t1 - PRT__R(0.532332766059542574311);
+    out[66] = t54 * t57;
+    out[78] = t55 * t57;
+    const prt_real t58 = PRT__R(21.3928901909086362545) * t1 - PRT__R(3.77521591604270051551);
+    const prt_real t59 = z * t58;
+    out[84] = t54 * t59;
+    out[96] = t55 * t59;
+    const prt_real t60 = y * t55 + x * t54;
+    out[49] = PRT__R(0.707162732524596178226) * t60;
+    const prt_real t61 = x * t55 - y * t54;
+    out[63] = PRT__R(0.707162732524596178226) * t61;
+    const prt_real t62 = PRT__R(2.91570664069931947548) * z;
+    out[65] = t60 * t62;
+    out[79] = t61 * t62;
+    const prt_real t63 = PRT__R(9.26339318284890424012) * t1 - PRT__R(0.544905481344053190595);
+    out[83] = t60 * t63;
+    out[97] = t61 * t63;
+    const prt_real t64 = y * t61 + x * t60;
+    out[64] = PRT__R(0.72892666017482986887) * t64;
+    const prt_real t65 = x * t61 - y * t60;
+    out[80] = PRT__R(0.72892666017482986887) * t65;
+    const prt_real t66 = PRT__R(3.1773176489546974773) * z;
+    out[82] = t64 * t66;
+    out[98] = t65 * t66;
+    out[81] = PRT__R(0.74890095185318829655) * (y * t65 + x * t64);
+    out[99] = PRT__R(0.74890095185318829655) * (x * t65 - y * t64);
+}
+
+/* SH basis, 10 bands: 216 multiplications, 52 additions (51 can fuse), 100 stores */
+PRT__STATIC void prt__sh_eval_10_v(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, size_t stride) {
+    prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+    prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
+    const prt__vec t1 = z * z;
+    const prt__vec t2 = PRT__R(0.946174695757560018093) * t1 - PRT__R(0.315391565252520006031);
+    prt__vec_store(out + 6 * stride, t2);
+    const prt__vec t3 = PRT__R(1.86588166295057695707) * t1 - PRT__R(1.11952899777034617424);
+    const prt__vec t4 = z * t3;
+    prt__vec_store(out + 12 * stride, t4);
+    const prt__vec t5 = PRT__R(1.98431348329844294288) * (z * t4) - PRT__R(1.00623058987490536338) * t2;
+    prt__vec_store(out + 20 * stride, t5);
+    const prt__vec t6 = PRT__R(1.98997487421323990947) * (z * t5) - PRT__R(1.00285307284481394976) * t4;
+    prt__vec_store(out + 30 * stride, t6);
+    const prt__vec t7 = PRT__R(1.99304345718356633685) * (z * t6) - PRT__R(1.00154202096221924809) * t5;
+    prt__vec_store(out + 42 * stride, t7);
+    const prt__vec t8 = PRT__R(1.99489143482413445284) * (z * t7) - PRT__R(1.00092721392195810546) * t6;
+    prt__vec_store(out + 56 * stride, t8);
+    const prt__vec t9 = PRT__R(1.99608992783391399988) * (z * t8) - PRT__R(1.00060078106951479479) * t7;
+    prt__vec_store(out + 72 * stride, t9);
+    prt__vec_store(out + 90 * stride, PRT__R(1.99691119506793649529) * (z * t9) - PRT__R(1.000411437993133759) * t8);
+    prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
+    prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
+    const prt__vec t10 = PRT__R(1.09254843059207907054) * z;
+    prt__vec_store(out + 5 * stride, y * t10);
+    prt__vec_store(out + 7 * stride, x * t10);
+    const prt__vec t11 = PRT__R(2.28522899732232868079) * t1 - PRT__R(0.457045799464465736158);
+    prt__vec_store(out + 11 * stride, y * t11);
+    prt__vec_store(out + 13 * stride, x * t11);
+    const prt__vec t12 = PRT__R(4.68332580490102417566) * t1 - PRT__R(2.00713963067186750386);
+    const prt__vec t13 = z * t12;
+    prt__vec_store(out + 19 * stride, y * t13);
+    prt__vec_store(out + 21 * stride, x * t13);
+    const prt__vec t14 = PRT__R(2.03100960115899009011) * (z * t13) - PRT__R(0.991031208965114853339) * t11;
+    prt__vec_store(out + 29 * stride, y * t14);
+    prt__vec_store(out + 31 * stride, x * t14);
+    const prt__vec t15 = PRT__R(2.02131498923702777609) * (z * t14) - PRT__R(0.995226703056238577025) * t13;
+    prt__vec_store(out + 41 * stride, y * t15);
+    prt__vec_store(out + 43 * stride, x * t15);
+    const prt__vec t16 = PRT__R(2.01556443707463741309) * (z * t15) - PRT__R(0.997155044021832052319) * t14;
+    prt__vec_store(out + 55 * stride, y * t16);
+    prt__vec_store(out + 57 * stride, x * t16);
+    const prt__vec t17 = PRT__R(2.01186954040739123146) * (z * t16) - PRT__R(0.998166817890174275952) * t15;
+    prt__vec_store(out + 71 * stride, y * t17);
+    prt__vec_store(out + 73 * stride, x * t17);
+    const prt__vec t18 = PRT__R(2.00935312974101194944) * (z * t17) - PRT__R(0.998749217771908945789) * t16;
+    prt__vec_store(out + 89 * stride, y * t18);
+    prt__vec_store(out + 91 * stride, x * t18);
+    const prt__vec t19 = x * y;
+    const prt__vec t20 = t19 + t19;
+    prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t20);
+    const prt__vec t21 = x * x - y * y;
+    prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t21);
+    const prt__vec t22 = PRT__R(1.44530572132027702769) * z;
+    prt__vec_store(out + 10 * stride, t20 * t22);
+    prt__vec_store(out + 14 * stride, t21 * t22);
+    const prt__vec t23 = PRT__R(3.31161143515146006332) * t1 - PRT__R(0.473087347878780009046);
+    prt__vec_store(out + 18 * stride, t20 * t23);
+    prt__vec_store(out + 22 * stride, t21 * t23);
+    const prt__vec t24 = PRT__R(7.1903051774599856325) * t1 - PRT__R(2.3967683924866618775);
+    const prt__vec t25 = z * t24;
+    prt__vec_store(out + 28 * stride, t20 * t25);
+    prt__vec_store(out + 32 * stride, t21 * t25);
+    const prt__vec t26 = PRT__R(2.11394181566097036227) * (z * t25) - PRT__R(0.973610120462326884222) * t23;
+    prt__vec_store(out + 40 * stride, t20 * t26);
+    prt__vec_store(out + 44 * stride, t21 * t26);
+    const prt__vec t27 = PRT__R(2.08166599946613273528) * (z * t26) - PRT__R(0.984731927834661861874) * t25;
+    prt__vec_store(out + 54 * stride, t20 * t27);
+    prt__vec_store(out + 58 * stride, t21 * t27);
+    const prt__vec t28 = PRT__R(2.06155281280883027491) * (z * t27) - PRT__R(0.990337937660287135802) * t26;
+    prt__vec_store(out + 70 * stride, t20 * t28);
+    prt__vec_store(out + 74 * stride, t21 * t28);
+    const prt__vec t29 = PRT__R(2.0481223583578191106) * (z * t28) - PRT__R(0.993485272670404014071) * t27;
+    prt__vec_store(out + 88 * stride, t20 * t29);
+    prt__vec_store(out + 92 * stride, t21 * t29);
+    const prt__vec t30 = y * t21 + x * t20;
+    prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * t30);
+    const prt__vec t31 = x * t21 - y * t20;
+    prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * t31);
+    const prt__vec t32 = PRT__R(1.77013076977993053104) * z;
+    prt__vec_store(out + 17 * stride, t30 * t32);
+    prt__vec_store(out + 23 * stride, t31 * t32);
+    const prt__vec t33 = PRT__R(4.40314469491725348916) * t1 - PRT__R(0.489238299435250387684);
+    prt__vec_store(out + 27 * stride, t30 * t33);
+    prt__vec_store(out + 33 * stride, t31 * t33);
+    const prt__vec t34 = PRT__R(10.1332578546641584906) * t1 - PRT__R(2.76361577854477049742);
+    const prt__vec t35 = z * t34;
+    prt__vec_store(out + 39 * stride, t30 * t35);
+    prt__vec_store(out + 45 * stride, t31 * t35);
+    const prt__vec t36 = PRT__R(2.20794021658196171369) * (z * t35) - PRT__R(0.959403223600246954343) * t33;
+    prt__vec_store(out + 53 * stride, t30 * t36);
+    prt__vec_store(out + 59 * stride, t31 * t36);
+    const prt__vec t37 = PRT__R(2.15322168769582022424) * (z * t36) - PRT__R(0.975217386560017729543) * t35;
+    prt__vec_store(out + 69 * stride, t30 * t37);
+    prt__vec_store(out + 75 * stride, t31 * t37);
+    const prt__vec t38 = PRT__R(2.11804417118980573708) * (z * t37) - PRT__R(0.983662844979209628271) * t36;
+    prt__vec_store(out + 87 * stride, t30 * t38);
+    prt__vec_store(out + 93 * stride, t31 * t38);
+    const prt__vec t39 = y * t31 + x * t30;
+    prt__vec_store(out + 16 * stride, PRT__R(0.625835735449176134587) * t39);
+    const prt__vec t40 = x * t31 - y * t30;
+    prt__vec_store(out + 24 * stride, PRT__R(0.625835735449176134587) * t40);
+    const prt__vec t41 = PRT__R(2.075662314881041279) * z;
+    prt__vec_store(out + 26 * stride, t39 * t41);
+    prt__vec_store(out + 34 * stride, t40 * t41);
+    const prt__vec t42 = PRT__R(5.5502139080159657518) * t1 - PRT__R(0.504564900728724159254);
+    prt__vec_store(out + 38 * stride, t39 * t42);
+    prt__vec_store(out + 46 * stride, t40 * t42);
+    const prt__vec t43 = PRT__R(13.4918050467267683135) * t1 - PRT__R(3.11349347232156191849);
+    const prt__vec t44 = z * t43;
+    prt__vec_store(out + 52 * stride, t39 * t44);
+    prt__vec_store(out + 60 * stride, t40 * t44);
+    const prt__vec t45 = PRT__R(2.3048861143232218275) * (z * t44) - PRT__R(0.948176387355465385226) * t42;
+    prt__vec_store(out + 68 * stride, t39 * t45);
+    prt__vec_store(out + 76 * stride, t40 * t45);
+    const prt__vec t46 = PRT__R(2.22917715070623519765) * (z * t45) - PRT__R(0.967152839723182214167) * t44;
+    prt__vec_store(out + 86 * stride, t39 * t46);
+    prt__vec_store(out + 94 * stride, t40 * t46);
+    const prt__vec t47 = y * t40 + x * t39;
+    prt__vec_store(out + 25 * stride, PRT__R(0.656382056840170102814) * t47);
+    const prt__vec t48 = x * t40 - y * t39;
+    prt__vec_store(out + 35 * stride, PRT__R(0.656382056840170102814) * t48);
+    const prt__vec t49 = PRT__R(2.36661916223175203199) * z;
+    prt__vec_store(out + 37 * stride, t47 * t49);
+    prt__vec_store(out + 47 * stride, t48 * t49);
+    const prt__vec t50 = PRT__R(6.74590252336338415674) * t1 - PRT__R(0.518915578720260319749);
+    prt__vec_store(out + 51 * stride, t47 * t50);
+    prt__vec_store(out + 61 * stride, t48 * t50);
+    const prt__vec t51 = PRT__R(17.2495531104905400876) * t1 - PRT__R(3.44991062209810801752);
+    const prt__vec t52 = z * t51;
+    prt__vec_store(out + 67 * stride, t47 * t52);
+    prt__vec_store(out + 77 * stride, t48 * t52);
+    const prt__vec t53 = PRT__R(2.40163634692206114961) * (z * t52) - PRT__R(0.939224604204370884866) * t50;
+    prt__vec_store(out + 85 * stride, t47 * t53);
+    prt__vec_store(out + 95 * stride, t48 * t53);
+    const prt__vec t54 = y * t48 + x * t47;
+    prt__vec_store(out + 36 * stride, PRT__R(0.683184105191914321975) * t54);
+    const prt__vec t55 = x * t48 - y * t47;
+    prt__vec_store(out + 48 * stride, PRT__R(0.683184105191914321975) * t55);
+    const prt__vec t56 = PRT__R(2.64596066180190022197) * z;
+    prt__vec_store(out + 50 * stride, t54 * t56);
+    prt__vec_store(out + 62 * stride, t55 * t56);
+    const prt__vec t57 = PRT__R(7.98499149089313861467) * t1 - PRT__R(0.532332766059542574311);
+    prt__vec_store(out + 66 * stride, t54 * t57);
+    prt__vec_store(out + 78 * stride, t55 * t57);
+    const prt__vec t58 = PRT__R(21.3928901909086362545) * t1 - PRT__R(3.77521591604270051551);
+    const prt__vec t59 = z * t58;
+    prt__vec_store(out + 84 * stride, t54 * t59);
+    prt__vec_store(out + 96 * stride, t55 * t59);
+    const prt__vec t60 = y * t55 + x * t54;
+    prt__vec_store(out + 49 * stride, PRT__R(0.707162732524596178226) * t60);
+    const prt__vec t61 = x * t55 - y * t54;
+    prt__vec_store(out + 63 * stride, PRT__R(0.707162732524596178226) * t61);
+    const prt__vec t62 = PRT__R(2.91570664069931947548) * z;
+    prt__vec_store(out + 65 * stride, t60 * t62);
+    prt__vec_store(out + 79 * stride, t61 * t62);
+    const prt__vec t63 = PRT__R(9.26339318284890424012) * t1 - PRT__R(0.544905481344053190595);
+    prt__vec_store(out + 83 * stride, t60 * t63);
+    prt__vec_store(out + 97 * stride, t61 * t63);
+    const prt__vec t64 = y * t61 + x * t60;
+    prt__vec_store(out + 64 * stride, PRT__R(0.72892666017482986887) * t64);
+    const prt__vec t65 = x * t61 - y * t60;
+    prt__vec_store(out + 80 * stride, PRT__R(0.72892666017482986887) * t65);
+    const prt__vec t66 = PRT__R(3.1773176489546974773) * z;
+    prt__vec_store(out + 82 * stride, t64 * t66);
+    prt__vec_store(out + 98 * stride, t65 * t66);
+    prt__vec_store(out + 81 * stride, PRT__R(0.74890095185318829655) * (y * t65 + x * t64));
+    prt__vec_store(out + 99 * stride, PRT__R(0.74890095185318829655) * (x * t65 - y * t64));
+}
+
+/* END GENERATED */
 
 #ifdef __cplusplus
 }

@@ -1,0 +1,202 @@
+#include "graph.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static void *grow(void *old, int *capacity, size_t size) {
+    void *p;
+    *capacity = *capacity ? *capacity * 2 : 64;
+    p = realloc(old, (size_t)*capacity * size);
+    if (!p) { fprintf(stderr, "prt_codegen: out of memory\n"); exit(1); }
+    return p;
+}
+
+kernel *kernel_new(const char *name, const char *summary) {
+    kernel *k = (kernel *)calloc(1, sizeof *k);
+    if (!k) { fprintf(stderr, "prt_codegen: out of memory\n"); exit(1); }
+    snprintf(k->name, sizeof k->name, "%s", name);
+    snprintf(k->summary, sizeof k->summary, "%s", summary);
+    return k;
+}
+
+void kernel_free(kernel *k) {
+    free(k->nodes);
+    free(k->buckets);
+    free(k->outputs);
+    free(k);
+}
+
+int kernel_param(kernel *k, const char *name, param_kind kind, int count) {
+    param *p = &k->params[k->param_count];
+    p->name = name;
+    p->kind = kind;
+    p->count = count;
+    return k->param_count++;
+}
+
+void kernel_output(kernel *k, int to, int element, node value) {
+    output *o;
+    if (k->output_count == k->output_capacity)
+        k->outputs = (output *)grow(k->outputs, &k->output_capacity, sizeof *k->outputs);
+    o = &k->outputs[k->output_count++];
+    o->param = to;
+    o->element = element;
+    o->value = value;
+}
+
+/* ---- hash-consing ---- */
+
+static unsigned hash_node(const node_data *n) {
+    double rounded = (double)n->value;
+    unsigned char bytes[sizeof rounded];
+    unsigned h = 2166136261u ^ (unsigned)n->op;
+    size_t i;
+    memcpy(bytes, &rounded, sizeof rounded);
+    h = (h * 16777619u) ^ (unsigned)n->a;
+    h = (h * 16777619u) ^ (unsigned)n->b;
+    for (i = 0; i < sizeof bytes; i++) h = (h * 16777619u) ^ bytes[i];
+    return h;
+}
+
+static int same_node(const node_data *n, const node_data *o) {
+    return n->op == o->op && n->a == o->a && n->b == o->b && n->value == o->value;
+}
+
+static void insert_bucket(kernel *k, int index) {
+    unsigned slot = hash_node(&k->nodes[index]) % (unsigned)k->bucket_count;
+    while (k->buckets[slot]) slot = (slot + 1) % (unsigned)k->bucket_count;
+    k->buckets[slot] = index + 1;
+}
+
+static void rehash(kernel *k) {
+    int i;
+    free(k->buckets);
+    k->bucket_count = k->node_capacity * 2 + 1;
+    k->buckets = (int *)calloc((size_t)k->bucket_count, sizeof *k->buckets);
+    if (!k->buckets) { fprintf(stderr, "prt_codegen: out of memory\n"); exit(1); }
+    for (i = 0; i < k->node_count; i++) insert_bucket(k, i);
+}
+
+static node intern(kernel *k, node_op op, node a, node b, xreal value) {
+    node_data n;
+    unsigned slot;
+    n.op = op; n.a = a; n.b = b; n.value = value; n.uses = 0;
+    if (k->node_count == k->node_capacity) {
+        k->nodes = (node_data *)grow(k->nodes, &k->node_capacity, sizeof *k->nodes);
+        rehash(k);
+    }
+    for (slot = hash_node(&n) % (unsigned)k->bucket_count; k->buckets[slot]; slot = (slot + 1) % (unsigned)k->bucket_count)
+        if (same_node(&k->nodes[k->buckets[slot] - 1], &n)) return k->buckets[slot] - 1;
+    k->nodes[k->node_count] = n;
+    k->buckets[slot] = ++k->node_count;
+    return k->node_count - 1;
+}
+
+/* ---- building, with the folds that keep the value ---- */
+
+static int is_const(const kernel *k, node a, double value) {
+    return k->nodes[a].op == OP_CONST && k->nodes[a].value == (xreal)value;
+}
+static int both_const(const kernel *k, node a, node b) {
+    return k->nodes[a].op == OP_CONST && k->nodes[b].op == OP_CONST;
+}
+
+node k_const(kernel *k, xreal value) { return intern(k, OP_CONST, 0, 0, value); }
+node k_scalar(kernel *k, int from) { return intern(k, OP_INPUT, from, -1, 0); }
+node k_element(kernel *k, int from, int element) { return intern(k, OP_INPUT, from, element, 0); }
+
+node k_add(kernel *k, node a, node b) {
+    if (both_const(k, a, b)) return k_const(k, k->nodes[a].value + k->nodes[b].value);
+    if (is_const(k, a, 0)) return b;
+    if (is_const(k, b, 0)) return a;
+    if (k->nodes[b].op == OP_NEG) return k_sub(k, a, k->nodes[b].a);
+    if (k->nodes[a].op == OP_NEG) return k_sub(k, b, k->nodes[a].a);
+    return a < b ? intern(k, OP_ADD, a, b, 0) : intern(k, OP_ADD, b, a, 0);
+}
+
+node k_sub(kernel *k, node a, node b) {
+    if (both_const(k, a, b)) return k_const(k, k->nodes[a].value - k->nodes[b].value);
+    if (is_const(k, b, 0)) return a;
+    if (is_const(k, a, 0)) return k_neg(k, b);
+    if (a == b) return k_const(k, 0);
+    if (k->nodes[b].op == OP_NEG) return k_add(k, a, k->nodes[b].a);
+    return intern(k, OP_SUB, a, b, 0);
+}
+
+node k_mul(kernel *k, node a, node b) {
+    if (both_const(k, a, b)) return k_const(k, k->nodes[a].value * k->nodes[b].value);
+    if (k->nodes[b].op == OP_CONST) { node t = a; a = b; b = t; }
+    if (is_const(k, a, 0)) return a;
+    if (is_const(k, a, 1)) return b;
+    if (is_const(k, a, -1)) return k_neg(k, b);
+    if (k->nodes[b].op == OP_NEG) {
+        if (k->nodes[a].op == OP_CONST) return k_mul(k, k_const(k, -k->nodes[a].value), k->nodes[b].a);
+        return k_neg(k, k_mul(k, a, k->nodes[b].a));
+    }
+    if (k->nodes[a].op == OP_NEG) return k_neg(k, k_mul(k, k->nodes[a].a, b));
+    if (k->nodes[a].op != OP_CONST && a > b) { node t = a; a = b; b = t; }
+    return intern(k, OP_MUL, a, b, 0);
+}
+
+node k_div(kernel *k, node a, node b) {
+    if (both_const(k, a, b)) return k_const(k, k->nodes[a].value / k->nodes[b].value);
+    if (k->nodes[b].op == OP_CONST) return k_mul(k, k_const(k, 1 / k->nodes[b].value), a);
+    return intern(k, OP_DIV, a, b, 0);
+}
+
+node k_neg(kernel *k, node a) {
+    if (k->nodes[a].op == OP_CONST) return k_const(k, -k->nodes[a].value);
+    if (k->nodes[a].op == OP_NEG) return k->nodes[a].a;
+    if (k->nodes[a].op == OP_SUB) return k_sub(k, k->nodes[a].b, k->nodes[a].a);
+    return intern(k, OP_NEG, a, 0, 0);
+}
+
+node k_sqrt(kernel *k, node a) { return intern(k, OP_SQRT, a, 0, 0); }
+node k_min(kernel *k, node a, node b) { return a < b ? intern(k, OP_MIN, a, b, 0) : intern(k, OP_MIN, b, a, 0); }
+node k_max(kernel *k, node a, node b) { return a < b ? intern(k, OP_MAX, a, b, 0) : intern(k, OP_MAX, b, a, 0); }
+node k_scale(kernel *k, xreal factor, node a) { return k_mul(k, k_const(k, factor), a); }
+node k_madd(kernel *k, node a, node b, node c) { return k_add(k, k_mul(k, a, b), c); }
+
+/* ---- counting ---- */
+
+static int is_unary(node_op op) { return op == OP_NEG || op == OP_SQRT; }
+static int is_leaf(node_op op) { return op == OP_CONST || op == OP_INPUT; }
+
+static void use(kernel *k, node n) {
+    if (k->nodes[n].uses++ || is_leaf(k->nodes[n].op)) return;
+    use(k, k->nodes[n].a);
+    if (!is_unary(k->nodes[n].op)) use(k, k->nodes[n].b);
+}
+
+void kernel_count_uses(kernel *k) {
+    int i;
+    for (i = 0; i < k->node_count; i++) k->nodes[i].uses = 0;
+    for (i = 0; i < k->output_count; i++) use(k, k->outputs[i].value);
+}
+
+static int lone_product(const kernel *k, node n) { return k->nodes[n].op == OP_MUL && k->nodes[n].uses == 1; }
+
+op_count kernel_operations(const kernel *k) {
+    op_count c;
+    int i;
+    memset(&c, 0, sizeof c);
+    c.stores = k->output_count;
+    for (i = 0; i < k->node_count; i++) {
+        const node_data *n = &k->nodes[i];
+        if (!n->uses) continue;
+        switch (n->op) {
+        case OP_CONST: case OP_NEG: break;
+        case OP_INPUT: c.loads += n->b >= 0; break;
+        case OP_ADD: case OP_SUB:
+            c.additions++;
+            c.fused += lone_product(k, n->a) || lone_product(k, n->b);
+            break;
+        case OP_MUL: c.multiplications++; break;
+        case OP_DIV: c.divisions++; break;
+        case OP_SQRT: c.roots++; break;
+        case OP_MIN: case OP_MAX: c.others++; break;
+        }
+    }
+    return c;
+}

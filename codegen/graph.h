@@ -1,0 +1,64 @@
+/* A kernel: straight-line arithmetic as an expression graph. Equal expressions are one node (hash-consing), constants
+   are folded, so a description may be written as the formula stands and shared subexpressions are found.
+
+   A description declares the parameters in their order, builds nodes, and names the outputs in the order in which they
+   should be computed and stored. Nothing here knows a language: language.c prints a kernel in each. */
+#ifndef PRT_CODEGEN_GRAPH_H
+#define PRT_CODEGEN_GRAPH_H
+
+#include "xreal.h"
+
+typedef int node;                                      /* index into kernel.nodes */
+
+typedef enum node_op { OP_CONST, OP_INPUT, OP_ADD, OP_SUB, OP_MUL, OP_DIV, OP_NEG, OP_SQRT, OP_MIN, OP_MAX } node_op;
+
+typedef struct node_data {
+    node_op op;
+    node a, b;                                         /* operands; for OP_INPUT: parameter, element (or -1) */
+    xreal value;                                       /* OP_CONST */
+    int uses;                                          /* by outputs and by nodes that an output needs */
+} node_data;
+
+typedef enum param_kind { PARAM_SCALAR, PARAM_INPUT, PARAM_OUTPUT } param_kind;
+
+typedef struct param { const char *name; param_kind kind; int count; } param;   /* count: elements of an array */
+typedef struct output { int param, element; node value; } output;
+
+typedef struct kernel {
+    char name[64];                                     /* without prefix: sh_eval_5 */
+    char summary[160];                                 /* one line of comment */
+    param params[8];
+    int param_count;
+    node_data *nodes;
+    int node_count, node_capacity;
+    int *buckets;                                      /* hash table of node indices + 1 */
+    int bucket_count;
+    output *outputs;
+    int output_count, output_capacity;
+} kernel;
+
+/* Operations of a finished kernel. fused: additions whose operand is a product that nothing else uses. */
+typedef struct op_count { int multiplications, additions, fused, divisions, roots, others, loads, stores; } op_count;
+
+kernel  *kernel_new(const char *name, const char *summary);
+void     kernel_free(kernel *k);
+int      kernel_param(kernel *k, const char *name, param_kind kind, int count);   /* count 0 for a scalar; returns its index */
+void     kernel_output(kernel *k, int to, int element, node value);
+void     kernel_count_uses(kernel *k);
+op_count kernel_operations(const kernel *k);           /* after kernel_count_uses */
+
+node k_const(kernel *k, xreal value);
+node k_scalar(kernel *k, int from);                    /* parameter by index */
+node k_element(kernel *k, int from, int element);
+node k_add(kernel *k, node a, node b);
+node k_sub(kernel *k, node a, node b);
+node k_mul(kernel *k, node a, node b);
+node k_div(kernel *k, node a, node b);
+node k_neg(kernel *k, node a);
+node k_sqrt(kernel *k, node a);
+node k_min(kernel *k, node a, node b);
+node k_max(kernel *k, node a, node b);
+node k_scale(kernel *k, xreal factor, node a);         /* factor * a */
+node k_madd(kernel *k, node a, node b, node c);        /* a * b + c */
+
+#endif

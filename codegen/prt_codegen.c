@@ -1,0 +1,218 @@
+/* prt_codegen - prints the straight-line kernels of prt.h, and keeps the fenced blocks of a file up to date.
+
+     prt_codegen --list                                  families, bands, operation counts
+     prt_codegen --lang c --emit sh_eval --bands 1-10    print kernels
+     prt_codegen --table roots --count 128               print a table of constants
+     prt_codegen --update prt.h                          rewrite every fenced block of the file
+     prt_codegen --check  prt.h                          say whether --update would change it; exit 1 if so
+
+   A fence carries its own command:
+     / * BEGIN GENERATED: prt_codegen --lang c --emit sh_eval --bands 1-10 * /
+     ...
+     / * END GENERATED * /                                                                                        */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "kernels.h"
+#include "language.h"
+
+static const family families[] = {
+    { "sh_eval", 1, 10, FORM_ONE | FORM_LANES, describe_sh_eval },
+};
+enum { FAMILY_COUNT = (int)(sizeof families / sizeof families[0]) };
+
+typedef struct request {
+    const char *lang;
+    char emit[256];                                    /* names, separated by commas */
+    const char *table;                                 /* name of a table instead */
+    int count;                                         /* its entries */
+    int first_bands, last_bands;
+} request;
+
+static int fail(const char *what, const char *which, const char *remedy) {
+    fprintf(stderr, "prt_codegen: %s '%s': %s\n", what, which, remedy);
+    return 1;
+}
+
+static const family *find_family(const char *name) {
+    int i;
+    for (i = 0; i < FAMILY_COUNT; i++)
+        if (!strcmp(families[i].name, name)) return &families[i];
+    return NULL;
+}
+
+/* ---- printing what a request asks for ---- */
+
+static void print_forms(FILE *to, const family *f, int bands) {
+    kernel *k = f->describe(bands);
+    if (f->forms & FORM_ONE) print_kernel(to, &dialect_c, k, "prt__");
+    if (f->forms & FORM_LANES) print_kernel(to, &dialect_c_lanes, k, "prt__");
+    kernel_free(k);
+}
+
+/* double prt__roots()[k] = sqrt(k), prt__inverse_roots()[k] = 1/sqrt(k) (0 at k = 0) for k < count */
+static void print_root_table(FILE *to, const char *name, const char *what, int count, int inverse) {
+    int k, column = 0;
+    fprintf(to, "/* %s for k = 0 ... %d */\nPRT__STATIC const double *prt__%s(void) {\n    static const double table[%d] = {\n",
+            what, count - 1, name, count);
+    for (k = 0; k < count; k++) {
+        char text[64];
+        xreal root = x_sqrt(x_ratio(k, 1));
+        x_print(inverse && k ? 1 / root : root, 20, text);
+        column += fprintf(to, "%s%s%s", column ? " " : "        ", text, k + 1 < count ? "," : "");
+        if (column > 92 || k + 1 == count) { fprintf(to, "\n"); column = 0; }
+    }
+    fprintf(to, "    };\n    return table;\n}\n\n");
+}
+
+static int print_table(FILE *to, const request *r) {
+    if (strcmp(r->table, "roots")) return fail("unknown table", r->table, "use roots");
+    if (r->count < 2 || r->count > 100000) return fail("table", r->table, "give --count from 2 to 100000");
+    print_root_table(to, "roots", "sqrt(k)", r->count, 0);
+    print_root_table(to, "inverse_roots", "1/sqrt(k), and 0", r->count, 1);
+    return 0;
+}
+
+static int print_request(FILE *to, const request *r) {
+    char names[256], *name;
+    if (r->table) return print_table(to, r);
+    if (strcmp(r->lang, "c")) return fail("unknown language", r->lang, "use c");
+    snprintf(names, sizeof names, "%s", r->emit);
+    for (name = strtok(names, ","); name; name = strtok(NULL, ",")) {
+        const family *f = find_family(name);
+        int bands, first = r->first_bands, last = r->last_bands;
+        char range[64];
+        if (!f) return fail("unknown kernel", name, "prt_codegen --list names them");
+        if (!first) { first = f->min_bands; last = f->max_bands; }
+        snprintf(range, sizeof range, "%s at %d to %d bands", name, first, last);
+        if (first < f->min_bands || last > f->max_bands || first > last)
+            return fail("no such kernel", range, "prt_codegen --list names the bands");
+        for (bands = first; bands <= last; bands++) print_forms(to, f, bands);
+    }
+    return 0;
+}
+
+static int print_list(void) {
+    int i, bands;
+    printf("%-24s %5s %6s %6s %6s %6s %6s\n", "kernel", "bands", "mul", "add", "fused", "loads", "stores");
+    for (i = 0; i < FAMILY_COUNT; i++)
+        for (bands = families[i].min_bands; bands <= families[i].max_bands; bands++) {
+            kernel *k = families[i].describe(bands);
+            op_count c;
+            kernel_count_uses(k);
+            c = kernel_operations(k);
+            printf("%-24s %5d %6d %6d %6d %6d %6d\n", families[i].name, bands, c.multiplications, c.additions, c.fused,
+                   c.loads, c.stores);
+            kernel_free(k);
+        }
+    return 0;
+}
+
+/* ---- command line; fences use the same words ---- */
+
+static int parse_request(request *r, int count, char **words) {
+    int i;
+    memset(r, 0, sizeof *r);
+    r->lang = "c";
+    for (i = 0; i < count; i++) {
+        const char *value = i + 1 < count ? words[i + 1] : NULL;
+        if (!value) return fail("no value after", words[i], "see the head of prt_codegen.c");
+        if (!strcmp(words[i], "--lang")) r->lang = value;
+        else if (!strcmp(words[i], "--emit")) snprintf(r->emit, sizeof r->emit, "%s", value);
+        else if (!strcmp(words[i], "--table")) r->table = value;
+        else if (!strcmp(words[i], "--count")) r->count = (int)strtol(value, NULL, 10);
+        else if (!strcmp(words[i], "--bands")) {
+            char *end;
+            r->first_bands = r->last_bands = (int)strtol(value, &end, 10);
+            if (*end == '-') r->last_bands = (int)strtol(end + 1, &end, 10);
+            if (*end || end == value || r->first_bands < 1) return fail("bands", value, "give N or A-B, from 1");
+        } else return fail("unknown option", words[i], "see the head of prt_codegen.c");
+        i++;
+    }
+    return r->emit[0] || r->table ? 0 : fail("nothing to print", "--emit", "name kernels; prt_codegen --list shows them");
+}
+
+static int parse_fence(request *r, const char *line, size_t length, char *copy, size_t size) {
+    char *words[16], *word;
+    int count = 0;
+    snprintf(copy, size, "%.*s", (int)length, line);
+    word = strstr(copy, "prt_codegen");
+    for (word = word ? strtok(word, " ") : NULL; word && count < 16 && strcmp(word, "*/"); word = strtok(NULL, " "))
+        words[count++] = word;
+    if (count < 1) return fail("a fence without its command", copy, "write: BEGIN GENERATED: prt_codegen --emit ...");
+    return parse_request(r, count - 1, words + 1);
+}
+
+/* ---- fenced blocks ---- */
+
+static char *read_file(const char *path) {
+    FILE *f = fopen(path, "rb");
+    char *text = NULL;
+    size_t length = 0, capacity = 0, got;
+    if (!f) return NULL;
+    do {
+        if (length + 65536 > capacity) {
+            char *more = (char *)realloc(text, capacity = capacity * 2 + 65537);
+            if (!more) { free(text); fclose(f); return NULL; }
+            text = more;
+        }
+        got = fread(text + length, 1, 65535, f);
+        length += got;
+    } while (got);
+    text[length] = 0;
+    fclose(f);
+    return text;
+}
+
+/* Copies text to the stream with every fenced block printed anew. */
+static int regenerate(FILE *to, const char *text) {
+    const char *begin;
+    while ((begin = strstr(text, "/* BEGIN GENERATED"))) {
+        const char *body = strchr(begin, '\n'), *end = strstr(begin, "/* END GENERATED */");
+        char copy[512];
+        request r;
+        if (!body || !end) return fail("a fence without its end", "BEGIN GENERATED", "close it with END GENERATED");
+        fwrite(text, 1, (size_t)(body + 1 - text), to);
+        if (parse_fence(&r, begin, (size_t)(body - begin), copy, sizeof copy) || print_request(to, &r)) return 1;
+        text = end;
+    }
+    fputs(text, to);
+    return 0;
+}
+
+static int update_file(const char *path, int check_only) {
+    char *old = read_file(path), *fresh, temporary[1024];
+    FILE *to;
+    int bad, same;
+    if (!old) return fail("cannot read", path, "give the path of prt.h");
+    snprintf(temporary, sizeof temporary, "%s.new", path);
+    to = check_only ? tmpfile() : fopen(temporary, "wb");
+    if (!to) return fail("cannot write", check_only ? "a temporary file" : temporary, "check permissions");
+    bad = regenerate(to, old);
+    if (check_only) {
+        size_t length;
+        fflush(to);
+        length = (size_t)ftell(to);
+        rewind(to);
+        fresh = (char *)malloc(length + 1);
+        same = fresh && fread(fresh, 1, length, to) == length && strlen(old) == length && !memcmp(fresh, old, length);
+        free(fresh);
+        fclose(to);
+        if (!bad && !same) bad = fail("generated blocks differ in", path, "run make gen and commit the result");
+    } else if (fclose(to) || bad || rename(temporary, path)) {
+        remove(temporary);
+        if (!bad) bad = fail("cannot write", path, "the old file is untouched");
+    }
+    free(old);
+    return bad;
+}
+
+int main(int argc, char **argv) {
+    request r;
+    if (argc == 2 && !strcmp(argv[1], "--list")) return print_list();
+    if (argc == 3 && !strcmp(argv[1], "--update")) return update_file(argv[2], 0);
+    if (argc == 3 && !strcmp(argv[1], "--check")) return update_file(argv[2], 1);
+    if (parse_request(&r, argc - 1, argv + 1)) return 1;
+    return print_request(stdout, &r);
+}
