@@ -1,0 +1,109 @@
+/* candidates.c - turns candidates.h into functions and a table, for one build of prt.h. Compiled once for each
+   configuration, with BENCH_ID its name in configurations.h, BENCH_BUILD its name in tables, and BENCH_FLAGS. */
+#define PRT_STATIC
+#define PRT_IMPLEMENTATION
+#include "prt.h"
+#include "bench.h"
+#include "textbook.h"
+
+#define DIRS ((const prt_vec3 *)data->directions)
+#define DIR(k) (DIRS[k])
+#define X ((const prt_real *)data->x)
+#define Y ((const prt_real *)data->y)
+#define Z ((const prt_real *)data->z)
+#define F ((const prt_real *)data->f)
+#define G ((const prt_real *)data->g)
+#define ROWS ((const prt_real *)data->rows)
+#define IMAGE (data->image)
+#define CUBE (data->cube)
+#define OUT ((prt_real *)data->out)
+
+/* The functions of each line ... */
+#define COUNTS(id, items_, flops_, reads_, writes_) \
+    static int id##_items(int n) { (void)n; return items_; } \
+    static double id##_flops(int n) { (void)n; return flops_; } \
+    static double id##_reads(int n) { (void)n; return (double)(reads_) * sizeof(prt_real); } \
+    static double id##_writes(int n) { (void)n; return (double)(writes_) * sizeof(prt_real); }
+#define EACH(id, job, name, bands, items_, call, flops_, reads_, writes_) \
+    COUNTS(id, items_, flops_, reads_, writes_) \
+    static void id##_run(const bench_data *data, int n, int items, long passes) { \
+        int k; \
+        for (; passes > 0; passes--) for (k = 0; k < items; k++) { call; BENCH_KEEP(data->out); } \
+    }
+#define BATCH(id, job, name, bands, items_, call, flops_, reads_, writes_) \
+    COUNTS(id, items_, flops_, reads_, writes_) \
+    static void id##_run(const bench_data *data, int n, int items, long passes) { \
+        for (; passes > 0; passes--) { call; BENCH_KEEP(data->out); } \
+    }
+#include "candidates.h"
+#undef EACH
+#undef BATCH
+
+/* ... and its row. */
+#define ROW(id, job, name, bands, whole) \
+    { job, name, BENCH_BUILD, (int)sizeof(prt_real), bands, whole, id##_items, id##_run, id##_flops, id##_reads, \
+      id##_writes },
+#define EACH(id, job, name, bands, items, call, flops, reads, writes) ROW(id, job, name, bands, 0)
+#define BATCH(id, job, name, bands, items, call, flops, reads, writes) ROW(id, job, name, bands, 1)
+static const bench_candidate rows[] = {
+#include "candidates.h"
+};
+
+/* The peak rate: twelve independent chains of multiply-adds on vectors as wide as the build allows. */
+#if defined(PRT_NO_SIMD)
+typedef prt_real wide;
+#elif defined(__AVX512F__)
+typedef prt_real wide __attribute__((vector_size(64)));
+#elif defined(__AVX__)
+typedef prt_real wide __attribute__((vector_size(32)));
+#else
+typedef prt_real wide __attribute__((vector_size(16)));
+#endif
+
+#if defined(__x86_64__) || defined(__i386__)
+#  define PIN(value) __asm__ volatile("" : "+x"(value));
+#elif defined(__aarch64__)
+#  define PIN(value) __asm__ volatile("" : "+w"(value));
+#else
+#  define PIN(value) __asm__ volatile("" : "+m"(value));
+#endif
+
+enum { CHAINS = 12, STEPS = 64, PEAK_FLOPS = 2 * CHAINS * STEPS * (int)(sizeof(wide) / sizeof(prt_real)) };
+
+static int peak_items(int n) { (void)n; return PEAK_FLOPS; }
+static double peak_none(int n) { (void)n; return 0; }
+
+static void peak_run(const bench_data *data, int n, int items, long passes) {
+    wide a[CHAINS], scale, offset;
+    int i, step;
+    (void)n; (void)items;
+    memset(a, 0, sizeof a);
+    scale = a[0] + (prt_real)0.5;
+    offset = a[0] + (prt_real)0.25;
+    PIN(scale) PIN(offset)
+    for (; passes > 0; passes--)
+        for (step = 0; step < STEPS; step++) {
+            for (i = 0; i < CHAINS; i++) a[i] = a[i] * scale + offset;
+            PIN(a[0]) PIN(a[1]) PIN(a[2]) PIN(a[3]) PIN(a[4]) PIN(a[5])
+            PIN(a[6]) PIN(a[7]) PIN(a[8]) PIN(a[9]) PIN(a[10]) PIN(a[11])
+        }
+    for (i = 1; i < CHAINS; i++) a[0] += a[i];
+    memcpy(data->out, &a[0], sizeof a[0]);
+    BENCH_KEEP(data->out);
+}
+
+static const bench_candidate peak = { "ceiling", "multiply-add", BENCH_BUILD, (int)sizeof(prt_real), "", 0, peak_items,
+                                      peak_run, peak_none, peak_none, peak_none };
+
+#define JOIN2(a, b) a##b
+#define JOIN(a, b) JOIN2(a, b)
+const bench_candidate *JOIN(bench_rows_, BENCH_ID)(int *count);
+const bench_candidate *JOIN(bench_peak_, BENCH_ID)(void);
+const char *JOIN(bench_flags_, BENCH_ID)(void);
+
+const bench_candidate *JOIN(bench_rows_, BENCH_ID)(int *count) {
+    *count = (int)(sizeof rows / sizeof rows[0]);
+    return rows;
+}
+const bench_candidate *JOIN(bench_peak_, BENCH_ID)(void) { return &peak; }
+const char *JOIN(bench_flags_, BENCH_ID)(void) { return BENCH_FLAGS; }
