@@ -5,6 +5,7 @@
 #include "prt.h"
 #include "bench.h"
 #include "textbook.h"
+#include "kernel_flops.h"
 
 #define DIRS ((const prt_vec3 *)data->directions)
 #define DIR(k) (DIRS[k])
