@@ -47,7 +47,8 @@
    MAP OF THE ROOMS (grep for the tag; a room uses only rooms above it)
      >>types      results, vectors, colours
      >>sh         basis evaluation, reconstruction, dot product
-     >>project    samples, analytic lights, environment maps, convolution, conversion of conventions
+     >>project    samples, analytic lights, environment maps, convolution
+     >>convert    coefficients and axes of other programs: DirectXMath, Unity, Unreal, three.js, Filament, splats
      >>window     Hann, Lanczos and positive windows
      >>shade      exit radiance from transfer
      >>reference  slow evaluators by other routes, for tests
@@ -85,6 +86,8 @@
      [Sloan 2002]        Sloan, Kautz, Snyder: Precomputed Radiance Transfer for Real-Time Rendering. SIGGRAPH 2002
      [Sloan 2008]        Sloan: Stupid Spherical Harmonics (SH) Tricks. GDC 2008
      [Sloan 2013]        Sloan: Efficient Spherical Harmonic Evaluation. JCGT 2(2), 2013
+     [Trapani 2006]      Trapani, Navaza: Calculation of spherical harmonics and Wigner d functions by FFT. Acta
+                         Crystallographica A 62, 2006
      [Chapter 2010]      Chapter: Textured Hierarchical Precomputed Radiance Transfer. Cal Poly 2010
 */
 #ifndef PRT_H_INCLUDED
@@ -160,6 +163,70 @@ PRTDEF prt_real   prt_sh_dot    (int bands, const prt_real *f, const prt_real *g
 
 /* ----------------------------------------------------------------------------------------------- >>project ---- */
 
+/* ----------------------------------------------------------------------------------------------- >>convert ---- */
+
+/* Coefficients of other programs. A convention says which function the numbers stand for, as a polynomial in the
+   components (x, y, z) of a direction, whatever that program calls its axes; if the axes differ too (y up, say), call
+   prt_sh_convert_axes as well, in either order for all conventions but PRT_CONVENTION_UNITY and ..FILAMENT_IRRADIANCE
+   (those first to PRT_CONVENTION_PRT). All of them index coefficient (l,m) at l(l+1)+m. docs/conventions.md has the
+   table, file by file, and the traps. */
+typedef enum prt_sh_convention {
+    PRT_CONVENTION_PRT = 0,             /* this header */
+    PRT_CONVENTION_THREEJS,             /* SphericalHarmonics3, LightProbe: radiance, the same numbers as here */
+    PRT_CONVENTION_DIRECTX,             /* D3DX and DirectXMath SHMath: (-1)^m times ours */
+    PRT_CONVENTION_GOOGLE,              /* google/spherical-harmonics: (-1)^m */
+    PRT_CONVENTION_UNREAL,              /* FSHVector, TSHVector: (-1)^m */
+    PRT_CONVENTION_SPLAT,               /* 3D Gaussian splatting, f_dc and f_rest: (-1)^m; the colour is 0.5 + the sum */
+    PRT_CONVENTION_FILAMENT,            /* cmgen without pre-scaling, IndirectLight::Builder::radiance: (-1)^m */
+    PRT_CONVENTION_FILAMENT_IRRADIANCE, /* IndirectLight::Builder::irradiance, pre-scaled: see below */
+    PRT_CONVENTION_UNITY                /* SphericalHarmonicsL2, light probes: as FILAMENT_IRRADIANCE */
+} prt_sh_convention;
+
+/* Rewrites coefficients from one convention to another: out_i = f_i times a constant of (from, to, i). f and out hold
+   bands^2 numbers; may alias. Between the first seven the constant is 1 or (-1)^m: any number of bands, exact.
+   The last two hold the polynomial of irradiance over pi, E(N)/pi = sum_i c_i q_i(N) with q = 1, y, z, x, xy, yz,
+   3z^2-1, xz, x^2-y^2, of the light whose radiance is meant: c_i = k_i A_l L_i, where k_i is the factor of q_i in Y_i
+   and A = 1, 2/3, 1/4 the cosine lobe over pi [Ramamoorthi 2001]. So converting from them undoes the convolution with
+   the cosine, and converting to them applies it: bands <= 3, else PRT_ERR_BANDS; error 1 ulp.
+   Errors: PRT_ERR_BANDS, PRT_ERR_NULL, PRT_ERR_VALUE (no such convention). Cost: n^2 multiplies. */
+PRTDEF prt_result prt_sh_convert(int bands, prt_sh_convention from, prt_sh_convention to, const prt_real *f,
+                                 prt_real *out);
+
+/* Seven shader constants of four numbers each, the layout of [Sloan 2008] appendix A10 that Unity names unity_SHAr,
+   SHAg, SHAb, SHBr, SHBg, SHBb, SHC (and Unreal SkyIrradianceEnvironmentMap): with N = (x,y,z), for each channel
+     E(N)/pi = dot(A, (x,y,z,1)) + dot(B, (xy, yz, zz, zx)) + C (xx - yy)
+   from coloured light (three planes of bands^2, radiance); of its bands the first three are used, missing ones are 0.
+   Unpacking gives three planes of 9. constants[27] is written as 1 and not read. Errors: PRT_ERR_BANDS, PRT_ERR_NULL.
+   Cost: 27 multiplies and a few adds. Accuracy: 2 ulp of the largest coefficient. */
+PRTDEF prt_result prt_sh_pack_irradiance  (int bands, const prt_real *light, prt_real constants[28]);
+PRTDEF prt_result prt_sh_unpack_irradiance(const prt_real constants[28], prt_real light[27]);
+
+/* Axes of a world, as three letters: where +x, +y and +z point for somebody who stands in it. R right, L left, U up,
+   D down, F forward, B backward; each pair once, in any order: 48 worlds, 24 of them left-handed. */
+#define PRT_AXES_BLENDER "RFU"          /* z up, right-handed: Blender, 3ds Max, CAD; the usual reading of prt.h itself */
+#define PRT_AXES_OPENGL  "RUB"          /* y up, right-handed: OpenGL, three.js, Filament, Godot, Maya, SPZ */
+#define PRT_AXES_UNITY   "RUF"          /* y up, left-handed: Unity, Direct3D */
+#define PRT_AXES_UNREAL  "FRU"          /* z up, left-handed: Unreal Engine */
+#define PRT_AXES_OPENCV  "RDF"          /* y down, right-handed: OpenCV, COLMAP, and so most Gaussian splats */
+
+/* The map between two worlds as a signed permutation: component k of the new vector is component |axes[k]|-1 of the
+   old one, times the sign of axes[k]. "RFU" to "RUB" gives {1, 3, -2}: (x,y,z) -> (x,z,-y).
+   Errors: PRT_ERR_NULL, PRT_ERR_VALUE (not three letters of three different pairs). */
+PRTDEF prt_result prt_axes_map(const char *from, const char *to, int axes[3]);
+/* The mapped vector; the zero vector if axes is NULL or not a signed permutation of 1, 2, 3. */
+PRTDEF prt_vec3   prt_map_axes(const int axes[3], prt_vec3 v);
+/* The same function in the other world: g(prt_map_axes(axes, v)) = f(v) for every v, exactly a rotation or reflection
+   by quarter turns. axes = {-1,-2,-3} turns every direction round (a splat's colour is a function of the direction
+   from the eye, exit radiance of the direction to it). f and out hold bands^2 coefficients; may alias.
+   Permutes and negates coefficients where z stays on its axis; otherwise it applies one swap of y and z, whose matrix
+   is made from Wigner's d(pi/2) by the recurrence of [Trapani 2006] in double: about 2/3 n^3 multiply-adds, n^2/2
+   square roots, no table. To 64 bands the matrix entries are within 6e-8 (float) or 1e-15 (double) of exact ones, and
+   a map and its inverse return within 2e-7 or 2e-15 of the norm (tests/test_convert.c).
+   Errors: PRT_ERR_BANDS, PRT_ERR_NULL, PRT_ERR_VALUE (axes is not a signed permutation of 1, 2, 3). */
+PRTDEF prt_result prt_sh_map_axes(int bands, const int axes[3], const prt_real *f, prt_real *out);
+/* prt_axes_map and prt_sh_map_axes in one call; errors of both. */
+PRTDEF prt_result prt_sh_convert_axes(int bands, const char *from, const char *to, const prt_real *f, prt_real *out);
+
 /* ------------------------------------------------------------------------------------------------ >>window ---- */
 
 /* ------------------------------------------------------------------------------------------------- >>shade ---- */
@@ -228,6 +295,7 @@ extern "C" {
 #endif
 
 #define PRT__PI 3.14159265358979323846264338327950288
+#define PRT__SQRT2 1.41421356237309504880168872420969808
 #define PRT__R(v) ((prt_real)(v))                          /* a double constant as a prt_real */
 
 #ifdef PRT_DOUBLE
@@ -549,6 +617,223 @@ PRTDEF prt_real prt_sh_dot(int bands, const prt_real *f, const prt_real *g) {
 }
 
 /* ----------------------------------------------------------------------------------------------- >>project ---- */
+
+/* ----------------------------------------------------------------------------------------------- >>convert ---- */
+
+/* The factor of the monomial 1, y, z, x, xy, yz, 3z^2-1, xz, x^2-y^2 in Y_i, times the cosine lobe's 1, 2/3, 1/4. */
+static const double prt__irradiance_factor[9] = {
+    0.28209479177387814347, 0.32573500793527994773, 0.32573500793527994773, 0.32573500793527994773,
+    0.27313710764801976764, 0.27313710764801976764, 0.07884789131313000152, 0.27313710764801976764,
+    0.13656855382400988382
+};
+
+PRT__INLINE int prt__is_irradiance(prt_sh_convention c) {
+    return c == PRT_CONVENTION_UNITY || c == PRT_CONVENTION_FILAMENT_IRRADIANCE;
+}
+PRT__INLINE int prt__has_phase(prt_sh_convention c) {
+    return c >= PRT_CONVENTION_DIRECTX && c <= PRT_CONVENTION_FILAMENT;
+}
+PRT__INLINE int prt__is_convention(prt_sh_convention c) {
+    return (unsigned)c <= (unsigned)PRT_CONVENTION_UNITY;
+}
+
+PRTDEF prt_result prt_sh_convert(int bands, prt_sh_convention from, prt_sh_convention to, const prt_real *f,
+                                 prt_real *out) {
+    int l, m, undo = prt__is_irradiance(from), apply = prt__is_irradiance(to);
+    int flip = prt__has_phase(from) != prt__has_phase(to);
+    if (!prt__bands_ok(bands) || ((undo || apply) && bands > 3)) return PRT_ERR_BANDS;
+    if (!f || !out) return PRT_ERR_NULL;
+    if (!prt__is_convention(from) || !prt__is_convention(to)) return PRT_ERR_VALUE;
+    for (l = 0; l < bands; l++) {
+        for (m = -l; m <= l; m++) {
+            int i = PRT_SH_INDEX(l, m);
+            prt_real v = flip && (m & 1) ? -f[i] : f[i];
+            if (undo && !apply) v /= PRT__R(prt__irradiance_factor[i]);
+            if (apply && !undo) v *= PRT__R(prt__irradiance_factor[i]);
+            out[i] = v;
+        }
+    }
+    return PRT_OK;
+}
+
+PRTDEF prt_result prt_sh_pack_irradiance(int bands, const prt_real *light, prt_real constants[28]) {
+    int c, i, n;
+    if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
+    if (!light || !constants) return PRT_ERR_NULL;
+    n = PRT_SH_COUNT(bands < 3 ? bands : 3);
+    for (c = 0; c < 3; c++) {
+        const prt_real *plane = light + c * PRT_SH_COUNT(bands);
+        prt_real *a = constants + 4 * c, *b = constants + 12 + 4 * c, q[9] = { 0, 0, 0, 0, 0, 0, 0, 0, 0 };
+        for (i = 0; i < n; i++) q[i] = plane[i] * PRT__R(prt__irradiance_factor[i]);
+        a[0] = q[3]; a[1] = q[1]; a[2] = q[2]; a[3] = q[0] - q[6];
+        b[0] = q[4]; b[1] = q[5]; b[2] = 3 * q[6]; b[3] = q[7];
+        constants[24 + c] = q[8];
+    }
+    constants[27] = 1;
+    return PRT_OK;
+}
+
+PRTDEF prt_result prt_sh_unpack_irradiance(const prt_real constants[28], prt_real light[27]) {
+    int c, i;
+    if (!constants || !light) return PRT_ERR_NULL;
+    for (c = 0; c < 3; c++) {
+        const prt_real *a = constants + 4 * c, *b = constants + 12 + 4 * c;
+        prt_real *q = light + 9 * c, third = b[2] / 3;
+        q[0] = a[3] + third; q[1] = a[1]; q[2] = a[2]; q[3] = a[0];
+        q[4] = b[0]; q[5] = b[1]; q[6] = third; q[7] = b[3]; q[8] = constants[24 + c];
+        for (i = 0; i < 9; i++) q[i] /= PRT__R(prt__irradiance_factor[i]);
+    }
+    return PRT_OK;
+}
+
+/* Which pair a letter belongs to (1 right-left, 2 up-down, 3 forward-backward), negative for the second of the pair;
+   0 for anything else. */
+PRT__STATIC int prt__axis_letter(char letter) {
+    switch (letter) {
+    case 'R': return 1;
+    case 'L': return -1;
+    case 'U': return 2;
+    case 'D': return -2;
+    case 'F': return 3;
+    case 'B': return -3;
+    default:  return 0;
+    }
+}
+
+PRT__INLINE int prt__axis_of(int signed_axis) { return signed_axis < 0 ? -signed_axis : signed_axis; }
+
+PRT__STATIC int prt__is_signed_permutation(const int axes[3]) {
+    int k, seen = 0;
+    for (k = 0; k < 3; k++) {
+        if (axes[k] < -3 || axes[k] > 3 || axes[k] == 0) return 0;
+        seen |= 1 << prt__axis_of(axes[k]);
+    }
+    return seen == 14;
+}
+
+/* Three letters and no more as a signed permutation; 0 if they are not one. */
+PRT__STATIC int prt__parse_axes(const char *letters, int axes[3]) {
+    int k;
+    for (k = 0; k < 3; k++)
+        if ((axes[k] = prt__axis_letter(letters[k])) == 0) return 0;
+    return letters[3] == '\0' && prt__is_signed_permutation(axes);
+}
+
+PRTDEF prt_result prt_axes_map(const char *from, const char *to, int axes[3]) {
+    int source[3], target[3], k, j;
+    if (!from || !to || !axes) return PRT_ERR_NULL;
+    if (!prt__parse_axes(from, source) || !prt__parse_axes(to, target)) return PRT_ERR_VALUE;
+    for (k = 0; k < 3; k++)
+        for (j = 0; j < 3; j++)
+            if (prt__axis_of(source[j]) == prt__axis_of(target[k])) axes[k] = source[j] == target[k] ? j + 1 : -(j + 1);
+    return PRT_OK;
+}
+
+PRTDEF prt_vec3 prt_map_axes(const int axes[3], prt_vec3 v) {
+    prt_real old[4], mapped[3] = { 0, 0, 0 };
+    prt_vec3 out;
+    int k;
+    old[0] = 0; old[1] = v.x; old[2] = v.y; old[3] = v.z;
+    if (axes && prt__is_signed_permutation(axes))
+        for (k = 0; k < 3; k++) mapped[k] = axes[k] < 0 ? -old[-axes[k]] : old[axes[k]];
+    out.x = mapped[0]; out.y = mapped[1]; out.z = mapped[2];
+    return out;
+}
+
+/* g(y,x,z) = f(x,y,z) in place: (y+ix)^m = i^m conj((x+iy)^m). */
+PRT__STATIC void prt__sh_swap_xy(int bands, prt_real *f) {
+    int l, m;
+    for (l = 1; l < bands; l++) {
+        for (m = 1; m <= l; m++) {
+            prt_real *c = f + PRT_SH_INDEX(l, m), *s = f + PRT_SH_INDEX(l, -m), t = *c;
+            if (m & 1) { *c = m & 2 ? -*s : *s; *s = m & 2 ? -t : t; }
+            else if (m & 2) *c = -t;
+            else *s = -*s;
+        }
+    }
+}
+
+/* Negates what is odd under each reflected axis, in place. Cosines (m >= 0) are even in y, sines odd; x has parity
+   (-1)^m, the other way round for sines; z has (-1)^(l+m). */
+PRT__STATIC void prt__sh_reflect(int bands, int x, int y, int z, prt_real *f) {
+    int l, m;
+    for (l = 0; l < bands; l++) {
+        for (m = -l; m <= l; m++) {
+            int sine = m < 0, odd = (x && ((m & 1) != sine)) + (y && sine) + (z && ((l + m) & 1));
+            if (odd & 1) f[PRT_SH_INDEX(l, m)] = -f[PRT_SH_INDEX(l, m)];
+        }
+    }
+}
+
+/* Adds d, with its sign, at the two places of the symmetric y-z swap of band l that the orders hi >= lo >= 0 own:
+   parity in y and in z trade places, so they join two cosines, two sines, or a sine and a cosine. */
+PRT__STATIC void prt__swap_yz_entry(int l, int hi, int lo, double d, const double *f, double *g) {
+    int hi_even = !((l + hi) & 1), lo_even = !((l + lo) & 1), row, column, turns;
+    if (!lo_even && lo_even == hi_even) { row = -hi; column = -lo; turns = hi - lo; }
+    else if (lo_even == hi_even)        { row = hi;  column = lo;  turns = hi - lo; }
+    else if (hi_even)                   { row = -hi; column = lo;  turns = hi - lo - 1; }
+    else                                { row = -lo; column = hi;  turns = hi - lo + 1; }
+    if (lo == 0 && !hi_even) return;                                        /* there is no sine of order 0 */
+    if (turns & 2) d = -d;
+    g[row] += d * f[column];
+    if (row != column) g[column] += d * f[row];
+}
+
+/* g(x,z,y) = f(x,y,z) for one band, f and g centred on m = 0. The entries are D(hi,lo) of Wigner's d(pi/2) by
+   [Trapani 2006]: D(l,m) = 2^-l sqrt(binomial(2l, l+m)), then downwards in the first order, stable for hi >= lo. */
+PRT__STATIC void prt__sh_swap_yz_band(int l, const double *f, double *g) {
+    double c[PRT_MAX_BANDS + 1], top = 1;                                                      /* top = D(l,lo) */
+    int lo, k;
+    for (k = 0; k <= l; k++) c[k] = sqrt((double)(l - k) * (l + k + 1));
+    for (k = 1; k <= l; k++) top *= sqrt((2.0 * k - 1) / (2.0 * k));
+    for (k = -l; k <= l; k++) g[k] = 0;
+    for (lo = 0; lo <= l; lo++) {
+        double d = top, above = 0, weight = lo ? 2 : PRT__SQRT2;
+        prt__swap_yz_entry(l, l, lo, l ? weight * d : d, f, g);
+        for (k = l - 1; k >= lo; k--) {
+            double next = (2 * lo * d - c[k + 1] * above) / c[k];
+            above = d;
+            d = next;
+            prt__swap_yz_entry(l, k, lo, k ? weight * d : d, f, g);
+        }
+        top *= sqrt((double)(l - lo) / (l + lo + 1));
+    }
+}
+
+/* g(x,z,y) = f(x,y,z) in place. */
+PRT__STATIC void prt__sh_swap_yz(int bands, prt_real *f) {
+    double in[2 * PRT_MAX_BANDS], out[2 * PRT_MAX_BANDS];
+    int l, m;
+    for (l = 1; l < bands; l++) {
+        for (m = -l; m <= l; m++) in[l + m] = f[PRT_SH_INDEX(l, m)];
+        prt__sh_swap_yz_band(l, in + l, out + l);
+        for (m = -l; m <= l; m++) f[PRT_SH_INDEX(l, m)] = PRT__R(out[l + m]);
+    }
+}
+
+PRTDEF prt_result prt_sh_map_axes(int bands, const int axes[3], const prt_real *f, prt_real *out) {
+    int x, z;
+    if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
+    if (!axes || !f || !out) return PRT_ERR_NULL;
+    if (!prt__is_signed_permutation(axes)) return PRT_ERR_VALUE;
+    if (f != out) memmove(out, f, (size_t)PRT_SH_COUNT(bands) * sizeof *f);
+    x = prt__axis_of(axes[0]);
+    z = prt__axis_of(axes[2]);
+    if (z == 1) { prt__sh_swap_xy(bands, out); x = x == 2 ? 1 : x; }         /* old x stands on y now, old y on x */
+    if (z != 3) { prt__sh_swap_yz(bands, out); x = x == 3 ? 2 : x; }         /* new z is right, old z stands on y */
+    if (x == 2) prt__sh_swap_xy(bands, out);
+    prt__sh_reflect(bands, axes[0] < 0, axes[1] < 0, axes[2] < 0, out);
+    return PRT_OK;
+}
+
+PRTDEF prt_result prt_sh_convert_axes(int bands, const char *from, const char *to, const prt_real *f, prt_real *out) {
+    int axes[3] = { 1, 2, 3 };
+    prt_result r;
+    if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
+    if (!f || !out) return PRT_ERR_NULL;
+    r = prt_axes_map(from, to, axes);
+    return r == PRT_OK ? prt_sh_map_axes(bands, axes, f, out) : r;
+}
 
 /* ------------------------------------------------------------------------------------------------ >>window ---- */
 
