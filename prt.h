@@ -237,6 +237,25 @@ PRTDEF prt_result prt_shade_diffuse_n(int bands, int count, const prt_real *tran
 
 /* --------------------------------------------------------------------------------------------- >>reference ---- */
 
+/* Slow evaluators that share no code with the rooms above, for tests of this library and of yours. */
+
+/* Y(l,m) by its definition in angles, K(l,m) P_l^|m|(cos theta) {1, sqrt2 cos(m phi), sqrt2 sin(|m| phi)} ([Sloan 2008],
+   appendix A1, without the Condon-Shortley phase), in double whatever prt_real is. (x,y,z) is normalised first.
+   0 <= l <= PRT_REFERENCE_MAX_L, where (2l)! still fits a double, and |m| <= l; otherwise, and for a zero vector, 0.
+   Cost: O(l), with square roots and trigonometry. Accuracy: absolute error below 3e-13 (tests/test_sh.c). */
+#define PRT_REFERENCE_MAX_L 80
+PRTDEF double prt_reference_sh(int l, int m, double x, double y, double z);
+
+/* out[n^2] = int f(w) Y_i(w) dw of any function, by the product of a Gauss-Legendre rule with `nodes` nodes in z and the
+   trapezoidal rule with 2 `nodes` nodes in phi: exact (to rounding) if f has at most 2 nodes - bands bands, for instance a
+   function of `bands` bands with nodes = bands. Sharp edges converge slowly: error about 1/nodes.
+   f       called 2 nodes^2 times with unit directions, user passed through
+   nodes   1 ... 4096, otherwise PRT_ERR_COUNT
+   Errors: PRT_ERR_BANDS, _COUNT, _NULL (f or out). Cost: 2 nodes^2 (calls of f and n^2 fused multiply-adds).
+   Sums are in double; the basis is prt_sh_eval's, and so is the accuracy. */
+typedef double prt_function(void *user, prt_vec3 dir);
+PRTDEF prt_result prt_reference_project(int bands, int nodes, prt_function *f, void *user, prt_real *out);
+
 #ifdef __cplusplus
 }
 #endif
@@ -325,6 +344,23 @@ PRT__INLINE prt_real prt__dot3(prt_vec3 a, prt_vec3 b) { return a.x * b.x + a.y 
 PRT__INLINE int prt__bands_ok(int bands) { return bands >= 1 && bands <= PRT_MAX_BANDS; }
 
 PRT__INLINE prt_vec3 prt__vec3(prt_real x, prt_real y, prt_real z) { prt_vec3 v; v.x = x; v.y = y; v.z = z; return v; }
+
+/* Node i (in rising order) and weight of the Gauss-Legendre rule with n nodes on [-1,1], by Newton's method on P_n from
+   Tricomi's estimate; both within a few ulp. Cost: O(n). */
+PRT__STATIC void prt__gauss_legendre(int n, int i, double *node, double *weight) {
+    double z = -(1 - (n - 1) / (8.0 * n * n * n)) * cos(PRT__PI * (4 * i + 3) / (4 * n + 2)), slope = 1;
+    int step, k;
+    for (step = 0; step < 8; step++) {
+        double p = 1, before = 0, move;
+        for (k = 1; k <= n; k++) { double next = ((2 * k - 1) * z * p - (k - 1) * before) / k; before = p; p = next; }
+        slope = n * (before - z * p) / ((1 - z) * (1 + z));
+        move = p / slope;
+        z -= move;
+        if (!(fabs(move) > 1e-15)) break;
+    }
+    *node = z;
+    *weight = 2 / ((1 - z) * (1 + z) * slope * slope);
+}
 
 /* prt__vec: PRT__LANES values that are worked on at once; one plain value where there is no SIMD, so that a batched
    function is written once. A batch is bit-equal to its parts only if every item runs through the same vector code:
@@ -861,6 +897,53 @@ PRTDEF prt_result prt_shade_diffuse_n(int bands, int count, const prt_real *tran
 }
 
 /* --------------------------------------------------------------------------------------------- >>reference ---- */
+
+/* Textbook associated Legendre function P_l^m(z) without phase; s = sqrt(1-z^2) */
+PRT__STATIC double prt__legendre(int l, int m, double z, double s) {
+    double before = 0, p = 1;
+    int k;
+    for (k = 1; k <= m; k++) p *= (2 * k - 1) * s;
+    for (k = m + 1; k <= l; k++) {
+        double next = ((2 * k - 1) * z * p - (k + m - 1) * before) / (k - m);
+        before = p;
+        p = next;
+    }
+    return p;
+}
+
+PRTDEF double prt_reference_sh(int l, int m, double x, double y, double z) {
+    double length = sqrt(x * x + y * y + z * z), phi = atan2(y, x), k2 = (2 * l + 1) / (4 * PRT__PI), value;
+    int a = m < 0 ? -m : m, k;
+    if (l < 0 || l > PRT_REFERENCE_MAX_L || a > l || !(length > 0)) return 0;
+    for (k = l - a + 1; k <= l + a; k++) k2 /= k;              /* (l-|m|)!/(l+|m|)! */
+    value = sqrt(k2) * prt__legendre(l, a, z / length, sqrt(x * x + y * y) / length);
+    if (m == 0) return value;
+    return value * 1.41421356237309504880 * (m > 0 ? cos(a * phi) : sin(a * phi));
+}
+
+PRTDEF prt_result prt_reference_project(int bands, int nodes, prt_function *f, void *user, prt_real *out) {
+    double sum[PRT_SH_COUNT(PRT_MAX_BANDS)];
+    prt_real y[PRT_SH_COUNT(PRT_MAX_BANDS)];
+    int i, j, c;
+    if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
+    if (nodes < 1 || nodes > 4096) return PRT_ERR_COUNT;
+    if (!f || !out) return PRT_ERR_NULL;
+    memset(sum, 0, sizeof sum);
+    for (i = 0; i < nodes; i++) {
+        double z, weight, s;
+        prt__gauss_legendre(nodes, i, &z, &weight);
+        s = sqrt((1 - z) * (1 + z));
+        for (j = 0; j < 2 * nodes; j++) {
+            double phi = PRT__PI * (j + 0.5) / nodes, value;
+            prt_vec3 d = prt__vec3((prt_real)(s * cos(phi)), (prt_real)(s * sin(phi)), (prt_real)z);
+            value = f(user, d) * weight * PRT__PI / nodes;
+            prt__sh_eval(bands, d, y);
+            for (c = 0; c < PRT_SH_COUNT(bands); c++) sum[c] += value * (double)y[c];
+        }
+    }
+    for (c = 0; c < PRT_SH_COUNT(bands); c++) out[c] = (prt_real)sum[c];
+    return PRT_OK;
+}
 
 /* --------------------------------------------------------------------------------------------- >>generated ---- */
 

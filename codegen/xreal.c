@@ -20,7 +20,7 @@ xreal x_sqrt(xreal v) {
 
 /* Rounds half up at the last digit; a tie cannot be met by an irrational, and a dyadic rational ends before it. */
 void x_print(xreal v, int digits, char *text) {
-    char digit[48];
+    char digit[48] = { 0 };
     int exponent = 0, i, last;
     xreal scale = 1, rest;
     if (v == 0) { strcpy(text, "0"); return; }
