@@ -1,0 +1,74 @@
+#!/usr/bin/env bash
+# Installs what the examples, tests and benchmarks need; the headers themselves need nothing.
+#   ./deps.sh [demo] [test] [bench] [fuzz]     the groups wanted, all when none is named
+#   ./deps.sh --list [group ...]               only prints the packages of the groups
+# Whatever is already there, from Debian's packages or from elsewhere, is left alone. With apt and root (or sudo without
+# a password) the rest is installed; otherwise one line says what to install. Exit code 1: something necessary is missing.
+set -u
+
+list=0
+[ "${1:-}" = --list ] && { list=1; shift; }
+groups=" ${*:-demo test bench fuzz} "
+for group in $groups; do
+    case $group in
+        demo|test|bench|fuzz) ;;
+        *) echo "deps.sh: no group '$group'; the groups are: demo test bench fuzz" >&2; exit 2 ;;
+    esac
+done
+
+cmd() { command -v "$1" >/dev/null 2>&1; }
+pc()  { pkg-config --exists "$@" 2>/dev/null; }
+hdr() { printf '#include <%s>\n' "$1" | cc -E -x c - >/dev/null 2>&1; }
+fuzzer() { printf 'int LLVMFuzzerTestOneInput(const char *d, unsigned long n) { return d && n > 9; }\n' |
+           clang -fsanitize=fuzzer,address,undefined -x c - -o /dev/null >/dev/null 2>&1; }
+
+missing=() optional=()
+# need GROUPS PACKAGE PROBE...: the package is necessary for these groups unless the probe succeeds.
+# want ...: the same, but those groups can do without (they skip what uses it and say so).
+wanted() { local group; for group in $1; do [[ $groups == *" $group "* ]] && return 0; done; return 1; }
+need() { local in=$1 package=$2; shift 2; wanted "$in" || return 0; [ $list = 0 ] && "$@" || missing+=("$package"); }
+want() { local in=$1 package=$2; shift 2; wanted "$in" || return 0; [ $list = 0 ] && "$@" || optional+=("$package"); }
+
+every="demo test bench fuzz"
+need "$every"     gcc                      cmd cc
+need "$every"     g++                      cmd c++
+need "$every"     libc6-dev                hdr math.h
+need "$every"     make                     cmd make
+need "$every"     cmake                    cmd cmake
+need "$every"     pkg-config               cmd pkg-config
+need "demo"       libembree-dev            hdr embree3/rtcore.h
+need "demo"       libassimp-dev            hdr assimp/scene.h
+need "demo"       libosmesa6-dev           hdr GL/osmesa.h
+need "demo"       libgl1-mesa-dri          true
+need "demo"       libstb-dev               hdr stb/stb_image.h
+need "demo"       libcglm-dev              hdr cglm/cglm.h
+need "demo"       glmark2-data             test -d /usr/share/glmark2/models
+need "test"       libcmocka-dev            pc cmocka
+need "test bench" libmpfr-dev              hdr mpfr.h
+want "test bench" libembree-dev            hdr embree3/rtcore.h
+want "test"       libassimp-dev            hdr assimp/scene.h
+want "test"       libosmesa6-dev           hdr GL/osmesa.h
+want "test bench" libstb-dev               hdr stb/stb_image.h
+want "test"       libcglm-dev              hdr cglm/cglm.h
+want "test fuzz"  clang                    cmd clang
+want "test fuzz"  libclang-rt-dev          fuzzer
+want "test"       gcc-i686-linux-gnu       cmd i686-linux-gnu-gcc
+want "test"       g++-i686-linux-gnu       cmd i686-linux-gnu-g++
+want "bench"      gnuplot-nox              cmd gnuplot
+
+read -ra packages <<<"$(printf '%s\n' "${missing[@]}" "${optional[@]}" | sort -u | tr '\n' ' ')"
+if [ $list = 1 ]; then printf '%s\n' "${packages[@]}"; exit 0; fi
+[ ${#packages[@]} = 0 ] && exit 0
+
+root=()
+if [ "$(id -u)" != 0 ]; then root=(sudo -n); fi
+if cmd apt-get && { [ "$(id -u)" = 0 ] || sudo -n true 2>/dev/null; }; then
+    echo "deps.sh: installing ${packages[*]}"
+    export DEBIAN_FRONTEND=noninteractive
+    install=("${root[@]}" apt-get install -y --no-install-recommends "${packages[@]}")
+    "${install[@]}" >/dev/null 2>&1 || { "${root[@]}" apt-get update >/dev/null && "${install[@]}" >/dev/null; } && exit 0
+    echo "deps.sh: apt-get could not install: ${packages[*]}" >&2
+else
+    echo "deps.sh: please install (Debian's names): ${packages[*]}" >&2
+fi
+[ ${#missing[@]} = 0 ]
