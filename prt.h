@@ -418,6 +418,7 @@ PRT__INLINE double prt__inverse_root(int k) { return k < PRT__ROOTS ? prt__inver
      a = sqrt((4l^2-1)/(l^2-m^2)),   c = a sqrt(((l-1)^2-m^2)/(4(l-1)^2-1)),   p(m,m) from prt__sh_sector.
    The factors are taken in double whatever prt_real is: it costs nothing beside the latency of p, and halves the error. */
 typedef struct prt__sh_step { prt_real a, c; } prt__sh_step;
+typedef prt__sh_step prt__step_of(int l, int m);
 PRT__INLINE prt__sh_step prt__sh_factors(int l, int m) {       /* l > m; c(m+1,m) = 0 */
     prt__sh_step s;
     double over = prt__root(2 * l + 1) * prt__inverse_root(l - m) * prt__inverse_root(l + m);
@@ -479,9 +480,9 @@ PRT__INLINE prt_real prt__unscale(prt_real mantissa, int exponent) {
 }
 
 /* Y(l,+-m) = p(l,m) {Im,Re}(x+iy)^m for any number of bands, coefficient i to y[i * stride]; with coefficients f given,
-   returns f.Y instead. */
-PRT__STATIC prt_real prt__sh_recurrence(int bands, prt_vec3 d, const prt_real *f, prt_real *PRT__RESTRICT y,
-                                        size_t stride) {
+   returns f.Y instead. The factors of the recurrence decide which basis it is; inlined, they cost no call. */
+PRT__INLINE prt_real prt__recurrence_with(prt__step_of *step, int bands, prt_vec3 d, const prt_real *f,
+                                          prt_real *PRT__RESTRICT y, size_t stride) {
     prt__sh_phasor c = { 1, 0, 0 };
     prt_real sum = 0;
     double sector = 0;
@@ -493,7 +494,7 @@ PRT__STATIC prt_real prt__sh_recurrence(int bands, prt_vec3 d, const prt_real *f
         p.p1 = (prt_real)sector;
         for (l = m; l < bands; l++) {
             prt_real q;
-            if (l > m) prt__sh_climb(&p, d.z, prt__sh_factors(l, m));
+            if (l > m) prt__sh_climb(&p, d.z, step(l, m));
             q = prt__unscale(p.p1, p.exponent + c.exponent);
             if (f) {
                 minus += q * f[PRT_SH_INDEX(l, -m)];
@@ -509,18 +510,6 @@ PRT__STATIC prt_real prt__sh_recurrence(int bands, prt_vec3 d, const prt_real *f
     return sum;
 }
 
-PRT__STATIC void prt__sh_eval(int bands, prt_vec3 d, prt_real *y) {
-    if (bands <= PRT__SH_KERNELS) prt__sh_kernels[bands - 1](d.x, d.y, d.z, y);
-    else prt__sh_recurrence(bands, d, NULL, y, 1);
-}
-
-PRTDEF prt_result prt_sh_eval(int bands, prt_vec3 dir, prt_real *y) {
-    if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
-    if (!y) return PRT_ERR_NULL;
-    prt__sh_eval(bands, dir, y);
-    return PRT_OK;
-}
-
 /* Where a vector of directions leaves its coefficients: coefficient i of lane k at to[i * step + k * row]. */
 typedef struct prt__sh_target { prt_real *to; size_t step, row; int lanes; } prt__sh_target;
 
@@ -532,7 +521,8 @@ PRT__INLINE void prt__sh_put(const prt__sh_target *t, int i, prt__vec v) {
     for (k = 0; k < t->lanes; k++) to[(size_t)k * t->row] = all[k];
 }
 
-PRT__STATIC void prt__sh_recurrence_v(int bands, prt__vec x, prt__vec y, prt__vec z, const prt__sh_target *target) {
+PRT__INLINE void prt__recurrence_with_v(prt__step_of *step, int bands, prt__vec x, prt__vec y, prt__vec z,
+                                        const prt__sh_target *target) {
     prt__vec re = prt__vec_set(1), im = prt__vec_set(0);
     double sector = 0;
     int l, m;
@@ -542,7 +532,7 @@ PRT__STATIC void prt__sh_recurrence_v(int bands, prt__vec x, prt__vec y, prt__ve
         p1 = prt__vec_set((prt_real)sector);
         for (l = m; l < bands; l++) {
             if (l > m) {
-                prt__sh_step s = prt__sh_factors(l, m);
+                prt__sh_step s = step(l, m);
                 prt__vec p = s.a * (z * p1) - s.c * p2;
                 p2 = p1;
                 p1 = p;
@@ -556,23 +546,49 @@ PRT__STATIC void prt__sh_recurrence_v(int bands, prt__vec x, prt__vec y, prt__ve
     }
 }
 
+/* What evaluates a basis: straight-line kernels for the low bands, a recurrence above. */
+typedef prt_real prt__recurrence(int bands, prt_vec3 d, const prt_real *f, prt_real *PRT__RESTRICT y, size_t stride);
+typedef void prt__recurrence_v(int bands, prt__vec x, prt__vec y, prt__vec z, const prt__sh_target *target);
+typedef struct prt__basis {
+    prt__sh_kernel *const *kernels;
+    prt__sh_kernel_v *const *kernels_v;
+    prt__recurrence *recurrence;
+    prt__recurrence_v *recurrence_v;
+} prt__basis;
+
+PRT__STATIC prt_real prt__sh_recurrence(int bands, prt_vec3 d, const prt_real *f, prt_real *PRT__RESTRICT y,
+                                        size_t stride) {
+    return prt__recurrence_with(prt__sh_factors, bands, d, f, y, stride);
+}
+PRT__STATIC void prt__sh_recurrence_v(int bands, prt__vec x, prt__vec y, prt__vec z, const prt__sh_target *target) {
+    prt__recurrence_with_v(prt__sh_factors, bands, x, y, z, target);
+}
+
+static const prt__basis prt__sh_basis = { prt__sh_kernels, prt__sh_kernels_v, prt__sh_recurrence, prt__sh_recurrence_v };
+
+PRT__INLINE void prt__eval(const prt__basis *basis, int bands, prt_vec3 d, prt_real *y) {
+    if (bands <= PRT__SH_KERNELS) basis->kernels[bands - 1](d.x, d.y, d.z, y);
+    else basis->recurrence(bands, d, NULL, y, 1);
+}
+
 /* Up to PRT__LANES directions; kernels store whole vectors, so any other target goes by way of a block. */
-PRT__STATIC void prt__sh_eval_v(int bands, prt__vec x, prt__vec y, prt__vec z, const prt__sh_target *target) {
+PRT__STATIC void prt__eval_v(const prt__basis *basis, int bands, prt__vec x, prt__vec y, prt__vec z,
+                             const prt__sh_target *target) {
     prt_real block[PRT_SH_COUNT(PRT__SH_KERNELS) * PRT__LANES];
     int i, k;
-    if (bands > PRT__SH_KERNELS) { prt__sh_recurrence_v(bands, x, y, z, target); return; }
+    if (bands > PRT__SH_KERNELS) { basis->recurrence_v(bands, x, y, z, target); return; }
     if (target->row == 1 && target->lanes == PRT__LANES) {
-        prt__sh_kernels_v[bands - 1](x, y, z, target->to, target->step);
+        basis->kernels_v[bands - 1](x, y, z, target->to, target->step);
         return;
     }
-    prt__sh_kernels_v[bands - 1](x, y, z, block, PRT__LANES);
+    basis->kernels_v[bands - 1](x, y, z, block, PRT__LANES);
     for (k = 0; k < target->lanes; k++) {
         prt_real *to = target->to + (size_t)k * target->row;
         for (i = 0; i < PRT_SH_COUNT(bands); i++) to[(size_t)i * target->step] = block[i * PRT__LANES + k];
     }
 }
 
-PRTDEF prt_result prt_sh_eval_n(int bands, int count, const prt_vec3 *dirs, prt_real *y) {
+PRT__STATIC prt_result prt__eval_n(const prt__basis *basis, int bands, int count, const prt_vec3 *dirs, prt_real *y) {
     size_t n;
     int first, k;
     if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
@@ -581,7 +597,7 @@ PRTDEF prt_result prt_sh_eval_n(int bands, int count, const prt_vec3 *dirs, prt_
     if (!dirs || !y) return PRT_ERR_NULL;
     n = (size_t)PRT_SH_COUNT(bands);
     if (PRT__LANES == 1 || bands > PRT__SH_UNSCALED) {
-        for (k = 0; k < count; k++) prt__sh_eval(bands, dirs[k], y + (size_t)k * n);
+        for (k = 0; k < count; k++) prt__eval(basis, bands, dirs[k], y + (size_t)k * n);
         return PRT_OK;
     }
     for (first = 0; first < count; first += PRT__LANES) {
@@ -596,13 +612,13 @@ PRTDEF prt_result prt_sh_eval_n(int bands, int count, const prt_vec3 *dirs, prt_
             dy[k] = dirs[first + k].y;
             dz[k] = dirs[first + k].z;
         }
-        prt__sh_eval_v(bands, prt__vec_load(dx), prt__vec_load(dy), prt__vec_load(dz), &target);
+        prt__eval_v(basis, bands, prt__vec_load(dx), prt__vec_load(dy), prt__vec_load(dz), &target);
     }
     return PRT_OK;
 }
 
-PRTDEF prt_result prt_sh_eval_soa(int bands, int count, const prt_real *x, const prt_real *y, const prt_real *z,
-                                  prt_real *out, size_t stride) {
+PRT__STATIC prt_result prt__eval_soa(const prt__basis *basis, int bands, int count, const prt_real *x, const prt_real *y,
+                                     const prt_real *z, prt_real *out, size_t stride) {
     prt__sh_target target;
     int k;
     if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
@@ -610,7 +626,7 @@ PRTDEF prt_result prt_sh_eval_soa(int bands, int count, const prt_real *x, const
     if (count == 0) return PRT_OK;
     if (!x || !y || !z || !out) return PRT_ERR_NULL;
     if (bands > PRT__SH_UNSCALED) {
-        for (k = 0; k < count; k++) prt__sh_recurrence(bands, prt__vec3(x[k], y[k], z[k]), NULL, out + k, stride);
+        for (k = 0; k < count; k++) basis->recurrence(bands, prt__vec3(x[k], y[k], z[k]), NULL, out + k, stride);
         return PRT_OK;
     }
     target.step = stride;
@@ -618,15 +634,33 @@ PRTDEF prt_result prt_sh_eval_soa(int bands, int count, const prt_real *x, const
     target.lanes = PRT__LANES;
     for (k = 0; k + PRT__LANES <= count; k += PRT__LANES) {
         target.to = out + k;
-        prt__sh_eval_v(bands, prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), &target);
+        prt__eval_v(basis, bands, prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), &target);
     }
     if (k < count) {
         target.to = out + k;
         target.lanes = count - k;
-        prt__sh_eval_v(bands, prt__vec_load_part(x + k, target.lanes), prt__vec_load_part(y + k, target.lanes),
-                       prt__vec_load_part(z + k, target.lanes), &target);
+        prt__eval_v(basis, bands, prt__vec_load_part(x + k, target.lanes), prt__vec_load_part(y + k, target.lanes),
+                    prt__vec_load_part(z + k, target.lanes), &target);
     }
     return PRT_OK;
+}
+
+PRT__INLINE void prt__sh_eval(int bands, prt_vec3 d, prt_real *y) { prt__eval(&prt__sh_basis, bands, d, y); }
+
+PRTDEF prt_result prt_sh_eval(int bands, prt_vec3 dir, prt_real *y) {
+    if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
+    if (!y) return PRT_ERR_NULL;
+    prt__sh_eval(bands, dir, y);
+    return PRT_OK;
+}
+
+PRTDEF prt_result prt_sh_eval_n(int bands, int count, const prt_vec3 *dirs, prt_real *y) {
+    return prt__eval_n(&prt__sh_basis, bands, count, dirs, y);
+}
+
+PRTDEF prt_result prt_sh_eval_soa(int bands, int count, const prt_real *x, const prt_real *y, const prt_real *z,
+                                  prt_real *out, size_t stride) {
+    return prt__eval_soa(&prt__sh_basis, bands, count, x, y, z, out, stride);
 }
 
 /* Eight partial sums: a single one would wait for each addition. Their order is fixed, so the bits are too. */
@@ -639,12 +673,16 @@ PRT__STATIC prt_real prt__dot(int count, const prt_real *f, const prt_real *g) {
     return ((sum[0] + sum[4]) + (sum[2] + sum[6])) + ((sum[1] + sum[5]) + (sum[3] + sum[7]));
 }
 
-PRTDEF prt_real prt_sh_at(int bands, const prt_real *f, prt_vec3 dir) {
+PRT__INLINE prt_real prt__at(const prt__basis *basis, int bands, const prt_real *f, prt_vec3 dir) {
     prt_real y[PRT_SH_COUNT(PRT__SH_KERNELS)];
     if (!prt__bands_ok(bands) || !f) return 0;
-    if (bands > PRT__SH_KERNELS) return prt__sh_recurrence(bands, dir, f, NULL, 1);
-    prt__sh_kernels[bands - 1](dir.x, dir.y, dir.z, y);
+    if (bands > PRT__SH_KERNELS) return basis->recurrence(bands, dir, f, NULL, 1);
+    basis->kernels[bands - 1](dir.x, dir.y, dir.z, y);
     return prt__dot(PRT_SH_COUNT(bands), f, y);
+}
+
+PRTDEF prt_real prt_sh_at(int bands, const prt_real *f, prt_vec3 dir) {
+    return prt__at(&prt__sh_basis, bands, f, dir);
 }
 
 PRTDEF prt_real prt_sh_dot(int bands, const prt_real *f, const prt_real *g) {
