@@ -265,8 +265,9 @@ PRTDEF prt_result prt_reference_project(int bands, int nodes, prt_function *f, v
    The interface ends here. Below stands the implementation, in the same order.
    ================================================================================================================== */
 
-#if defined(PRT_IMPLEMENTATION) && !defined(PRT_IMPLEMENTATION_INCLUDED)
-#define PRT_IMPLEMENTATION_INCLUDED
+/* Private building blocks of both headers, all of them static: in each file that implements prt.h or prt_bake.h. */
+#if (defined(PRT_IMPLEMENTATION) || defined(PRT_BAKE_IMPLEMENTATION)) && !defined(PRT__INTERNALS_INCLUDED)
+#define PRT__INTERNALS_INCLUDED
 
 #include <float.h>
 #include <math.h>
@@ -327,15 +328,6 @@ PRT__INLINE prt_real prt__sqrt(prt_real v) { return sqrt(v); }
 PRT__INLINE prt_real prt__sqrt(prt_real v) { return sqrtf(v); }
 #endif
 
-/* ------------------------------------------------------------------------------------------------- >>types ---- */
-
-PRTDEF const char *prt_result_string(prt_result r) {
-#define PRT__RESULT_MESSAGE(name, message) message,
-    static const char *const messages[] = { PRT_RESULTS(PRT__RESULT_MESSAGE) "unknown result" };
-#undef PRT__RESULT_MESSAGE
-    return messages[(unsigned)r < (unsigned)PRT__RESULT_COUNT ? (unsigned)r : (unsigned)PRT__RESULT_COUNT];
-}
-
 /* Finite, in a form that needs no <math.h> macro: false for NaN and for both infinities. */
 PRT__INLINE int prt__finite(prt_real v) { return v - v == 0; }
 PRT__INLINE int prt__finite3(prt_vec3 v) { return prt__finite(v.x) && prt__finite(v.y) && prt__finite(v.z); }
@@ -387,6 +379,27 @@ PRT__INLINE prt__vec prt__vec_set(prt_real s) {                /* s in every lan
 #else
     return s;
 #endif
+}
+
+#ifdef __cplusplus
+}
+#endif
+#endif /* PRT__INTERNALS_INCLUDED */
+
+#if defined(PRT_IMPLEMENTATION) && !defined(PRT_IMPLEMENTATION_INCLUDED)
+#define PRT_IMPLEMENTATION_INCLUDED
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ------------------------------------------------------------------------------------------------- >>types ---- */
+
+PRTDEF const char *prt_result_string(prt_result r) {
+#define PRT__RESULT_MESSAGE(name, message) message,
+    static const char *const messages[] = { PRT_RESULTS(PRT__RESULT_MESSAGE) "unknown result" };
+#undef PRT__RESULT_MESSAGE
+    return messages[(unsigned)r < (unsigned)PRT__RESULT_COUNT ? (unsigned)r : (unsigned)PRT__RESULT_COUNT];
 }
 
 /* ---------------------------------------------------------------------------------------------------- >>sh ---- */
