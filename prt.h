@@ -229,6 +229,19 @@ PRTDEF prt_result prt_sh_convert_axes(int bands, const char *from, const char *t
 
 /* ------------------------------------------------------------------------------------------------ >>window ---- */
 
+/* ----------------------------------------------------------------------------------------------- >>product ---- */
+
+/* The triple product (real Gaunt) coefficient  G = int Y(l1,m1) Y(l2,m2) Y(l3,m3) dw.
+   0 unless l1+l2+l3 is even, the l satisfy the triangle inequality, the number of negative m is even, and one |m| is the
+   sum of the other two; 0 also where l < 0 or |m| > l. The l are not bounded by PRT_MAX_BANDS.
+   Method: G = (azimuthal factor) sqrt((2 l1+1)(2 l2+1)/(4 pi)) C(l1 0 l2 0; l3 0) C(l1 a l2 b; l3 a+b), the Clebsch-Gordan
+   coefficients C(a) by their three-term recurrence in a, run from both ends towards the first maximum [Schulten 1975],
+   in double-double arithmetic.
+   Accuracy: the nearest double, but for about one value in 10^14 next to a tie or to an accidental zero (where the error
+   stays below 1e-28 of the neighbouring coefficients); tests compare it with exact rational arithmetic to l = 150.
+   Cost: O(l1 + l2 + l3) operations, about 10 microseconds at l = 20; for tables and tests, not for inner loops. */
+PRTDEF double prt_sh_triple(int l1, int m1, int l2, int m2, int l3, int m3);
+
 /* ------------------------------------------------------------------------------------------------- >>shade ---- */
 
 PRTDEF prt_result prt_shade_diffuse  (int bands, const prt_real *transfer, const prt_real *light, prt_rgb *out);
@@ -923,6 +936,185 @@ PRTDEF prt_result prt_sh_convert_axes(int bands, const char *from, const char *t
 }
 
 /* ------------------------------------------------------------------------------------------------ >>window ---- */
+
+/* ----------------------------------------------------------------------------------------------- >>product ---- */
+
+/* Double-double arithmetic for prt_sh_triple: hi + lo carries 106 bits. The volatile intermediates keep every rounding
+   where it is written, whatever the compiler may contract or reassociate. */
+typedef struct prt__dd { double hi, lo; } prt__dd;
+
+PRT__STATIC prt__dd prt__dd_sum(double a, double b) {
+    volatile double s = a + b, bb = s - a, aa = s - bb, ea = a - aa, eb = b - bb;
+    prt__dd r;
+    r.hi = s;
+    r.lo = ea + eb;
+    return r;
+}
+
+PRT__STATIC prt__dd prt__dd_add(prt__dd a, prt__dd b) {
+    prt__dd s = prt__dd_sum(a.hi, b.hi), t = prt__dd_sum(a.lo, b.lo);
+    s = prt__dd_sum(s.hi, s.lo + t.hi);
+    return prt__dd_sum(s.hi, s.lo + t.lo);
+}
+
+PRT__STATIC prt__dd prt__dd_product(double a, double b) {
+    volatile double p = a * b;
+    prt__dd r;
+    r.hi = p;
+    r.lo = fma(a, b, -p);
+    return r;
+}
+
+PRT__STATIC prt__dd prt__dd_mul(prt__dd a, prt__dd b) {
+    prt__dd p = prt__dd_product(a.hi, b.hi);
+    volatile double cross = a.hi * b.lo + a.lo * b.hi;
+    return prt__dd_sum(p.hi, p.lo + cross);
+}
+
+PRT__STATIC prt__dd prt__dd_scale(prt__dd a, double s) { return prt__dd_mul(a, prt__dd_sum(s, 0)); }
+
+PRT__STATIC prt__dd prt__dd_div(prt__dd a, prt__dd b) {
+    volatile double q = a.hi / b.hi;
+    prt__dd rest = prt__dd_add(a, prt__dd_scale(b, -q));
+    return prt__dd_sum(q, rest.hi / b.hi);
+}
+
+PRT__STATIC prt__dd prt__dd_sqrt(prt__dd a) {
+    volatile double root = sqrt(a.hi);
+    prt__dd rest = prt__dd_add(a, prt__dd_scale(prt__dd_product(root, root), -1));
+    return prt__dd_sum(root, rest.hi / (2 * root));
+}
+
+/* The coefficients C(k) = C(j1 k j2 m-k; j m), k = first ... last, are the eigenvector, for the eigenvalue j(j+1), of
+   J^2 in the product basis: a tridiagonal matrix. prt__cg_off couples k and k+1; prt__cg_diagonal is the eigenvalue less
+   the diagonal. */
+typedef struct prt__cg { int j1, j2, j, m, first, last; } prt__cg;
+
+PRT__STATIC prt__dd prt__cg_off(const prt__cg *c, int k) {
+    prt__dd a = prt__dd_product((double)c->j1 - k, (double)c->j1 + k + 1);
+    prt__dd b = prt__dd_product((double)c->j2 + c->m - k, (double)c->j2 - c->m + k + 1);
+    return prt__dd_sqrt(prt__dd_mul(a, b));
+}
+
+PRT__STATIC double prt__cg_diagonal(const prt__cg *c, int k) {
+    double j1 = c->j1, j2 = c->j2, j = c->j;
+    return j * (j + 1) - j1 * (j1 + 1) - j2 * (j2 + 1) - 2.0 * k * ((double)c->m - k);
+}
+
+/* A run of the recurrence from one end, step +1 or -1. It starts at 1 and is scaled down whenever it grows large. */
+typedef struct prt__cg_run {
+    prt__dd value, before, off;                        /* at k and one step back; the coupling between the two */
+    prt__dd wanted, squares;                           /* the value at the wanted k, once passed; the sum of squares before k */
+    double neighbour;                                  /* size of what stands around the wanted value */
+    int k, step, target;
+} prt__cg_run;
+
+PRT__STATIC prt__cg_run prt__cg_start(const prt__cg *c, int step, int target) {
+    prt__cg_run r;
+    memset(&r, 0, sizeof r);
+    r.k = step > 0 ? c->first : c->last;
+    r.step = step;
+    r.target = target;
+    r.value.hi = 1;
+    if (r.k == target) r.wanted = r.value;
+    return r;
+}
+
+PRT__STATIC void prt__cg_step(const prt__cg *c, prt__cg_run *r) {
+    const double tiny = 6.223015277861142e-61;         /* 2^-200 */
+    prt__dd off = prt__cg_off(c, r->step > 0 ? r->k : r->k - 1);
+    prt__dd next = prt__dd_mul(prt__dd_scale(r->off, -1), r->before);
+    next = prt__dd_add(next, prt__dd_scale(r->value, prt__cg_diagonal(c, r->k)));
+    next = prt__dd_div(next, off);
+    r->squares = prt__dd_add(r->squares, prt__dd_mul(r->value, r->value));
+    r->before = r->value;
+    r->value = next;
+    r->off = off;
+    r->k += r->step;
+    if (r->k == r->target) { r->wanted = next; r->neighbour = fabs(r->before.hi); }
+    if (r->k == r->target + r->step) r->neighbour += fabs(next.hi);
+    if (fabs(next.hi) > 1 / tiny) {
+        r->value = prt__dd_scale(r->value, tiny);
+        r->before = prt__dd_scale(r->before, tiny);
+        r->wanted = prt__dd_scale(r->wanted, tiny);
+        r->squares = prt__dd_scale(prt__dd_scale(r->squares, tiny), tiny);
+        r->neighbour *= tiny;
+    }
+}
+
+/* C(target). Both runs grow into the oscillating middle, where neither loses accuracy. They meet at the first maximum that
+   the run from above finds: there the value is not small, so their ratio is well known. The value at `last` is positive. */
+PRT__STATIC prt__dd prt__clebsch_gordan(const prt__cg *c, int target) {
+    prt__cg_run up = prt__cg_start(c, 1, target), down = prt__cg_start(c, -1, target);
+    prt__dd ratio, norm, wanted;
+    while (down.k > c->first) {
+        prt__cg_run further = down;
+        prt__cg_step(c, &further);
+        if (!(fabs(further.value.hi) >= fabs(further.before.hi))) break;
+        down = further;
+    }
+    while (up.k < down.k) prt__cg_step(c, &up);
+    ratio = prt__dd_div(up.value, down.value);
+    norm = prt__dd_add(prt__dd_mul(up.value, up.value), up.squares);
+    norm = prt__dd_sqrt(prt__dd_add(norm, prt__dd_mul(prt__dd_mul(ratio, ratio), down.squares)));
+    if (target > up.k) wanted = prt__dd_scale(prt__dd_mul(down.wanted, ratio), ratio.hi < 0 ? -1 : 1);
+    else wanted = prt__dd_scale(up.wanted, ratio.hi < 0 ? -1 : 1);
+    if (fabs(wanted.hi) < 1e-25 * (target > up.k ? down.neighbour * fabs(ratio.hi) : up.neighbour))
+        wanted = prt__dd_sum(0, 0);                    /* an accidental zero, and what rounding left of it */
+    return prt__dd_div(wanted, norm);
+}
+
+/* binomial(2k,k) / 4^k */
+PRT__STATIC prt__dd prt__central_binomial(int k) {
+    prt__dd p = prt__dd_sum(1, 0);
+    int i;
+    for (i = 1; i <= k; i++) p = prt__dd_div(prt__dd_scale(p, 2.0 * i - 1), prt__dd_sum(2.0 * i, 0));
+    return p;
+}
+
+/* int Y(l1,a) Y(l2,b) conj Y(l3,a+b) of the complex harmonics; l1+l2+l3 = 2g even.
+   |C(l1 0 l2 0; l3 0)|^2 = (2 l3+1) p(g-l1) p(g-l2) p(g-l3) / ((2g+1) p(g)), p(k) = binomial(2k,k)/4^k */
+PRT__STATIC prt__dd prt__gaunt(int l1, int a, int l2, int b, int l3) {
+    prt__dd four_pi = { 12.566370614359172, 4.898587196589413e-16 }, root, value;
+    prt__cg c;
+    int g = l1 / 2 + l2 / 2 + l3 / 2 + (l1 % 2 + l2 % 2 + l3 % 2) / 2;
+    root = prt__dd_mul(prt__central_binomial(g - l1), prt__central_binomial(g - l2));
+    root = prt__dd_div(prt__dd_mul(root, prt__central_binomial(g - l3)), prt__central_binomial(g));
+    root = prt__dd_mul(root, prt__dd_product(2.0 * l1 + 1, 2.0 * l2 + 1));
+    root = prt__dd_div(root, prt__dd_scale(four_pi, 2.0 * g + 1));
+    c.j1 = l1; c.j2 = l2; c.j = l3; c.m = a + b;
+    c.first = a + b - l2 > -l1 ? a + b - l2 : -l1;
+    c.last = a + b + l2 < l1 ? a + b + l2 : l1;
+    value = prt__dd_mul(prt__clebsch_gordan(&c, a), prt__dd_sqrt(root));
+    return (g - l3) % 2 ? prt__dd_scale(value, -1) : value;
+}
+
+PRT__INLINE int prt__iabs(int v) { return v < 0 ? -v : v; }
+
+/* with m3 the largest |m|; Y(l,m) = sqrt 2 cos or sin for m != 0, hence the factors */
+PRT__STATIC double prt__triple_ordered(int l1, int m1, int l2, int m2, int l3, int m3) {
+    int a = prt__iabs(m1), b = prt__iabs(m2);
+    prt__dd value, half_root = { 0.7071067811865476, -4.833646656726457e-17 };
+    if (a + b != prt__iabs(m3)) return 0;
+    value = prt__gaunt(l1, a, l2, b, l3);
+    if (a && b) value = prt__dd_scale(prt__dd_mul(value, half_root), m1 < 0 && m2 < 0 ? -1 : 1);
+    return value.hi;
+}
+
+PRTDEF double prt_sh_triple(int l1, int m1, int l2, int m2, int l3, int m3) {
+    const int limit = INT32_MAX / 4;
+    int a, b, c;
+    if (l1 < 0 || l2 < 0 || l3 < 0 || l1 > limit || l2 > limit || l3 > limit) return 0;
+    if (m1 < -l1 || m1 > l1 || m2 < -l2 || m2 > l2 || m3 < -l3 || m3 > l3) return 0;
+    if ((l1 + l2 + l3) % 2 || l1 > l2 + l3 || l2 > l1 + l3 || l3 > l1 + l2) return 0;
+    if (((m1 < 0) + (m2 < 0) + (m3 < 0)) % 2) return 0;
+    a = prt__iabs(m1);
+    b = prt__iabs(m2);
+    c = prt__iabs(m3);
+    if (c >= a && c >= b) return prt__triple_ordered(l1, m1, l2, m2, l3, m3);
+    if (b >= a) return prt__triple_ordered(l1, m1, l3, m3, l2, m2);
+    return prt__triple_ordered(l2, m2, l3, m3, l1, m1);
+}
 
 /* ------------------------------------------------------------------------------------------------- >>shade ---- */
 
