@@ -2,6 +2,7 @@
 #define PRT_IMPLEMENTATION
 #include "prt.h"
 #include "test.h"
+#include "golden_csv.h"
 #include <gmp.h>
 #include <mpfr.h>
 
@@ -16,18 +17,11 @@ static void unpack(int i, int *l, int *m) {
 static void assert_rounded(double got, double want) { assert_near(got, want, fabs(want) * 1.2e-16); }
 
 static void agrees_with_the_reference_values(void **state) {
-    char path[512], line[256];
-    FILE *file;
-    int rows = 0;
+    FILE *file = golden_open("gaunt_ref.csv");
+    int rows = 0, index[3], l[3], m[3], k;
+    double want;
     (void)state;
-    snprintf(path, sizeof path, "%s/gaunt_ref.csv", PRT_GOLDEN_DIR);
-    file = fopen(path, "r");
-    assert_non_null(file);
-    assert_non_null(fgets(line, sizeof line, file));
-    while (fgets(line, sizeof line, file)) {
-        int index[3], l[3], m[3], k;
-        double want;
-        assert_int_equal(sscanf(line, "%d,%d,%d,%lf", &index[0], &index[1], &index[2], &want), 4);
+    while (fscanf(file, "%d,%d,%d,%lf", &index[0], &index[1], &index[2], &want) == 4) {
         for (k = 0; k < 3; k++) unpack(index[k], &l[k], &m[k]);
         assert_rounded(prt_sh_triple(l[0], m[0], l[1], m[1], l[2], m[2]), want);
         assert_rounded(prt_sh_triple(l[2], m[2], l[0], m[0], l[1], m[1]), want);
