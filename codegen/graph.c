@@ -110,9 +110,11 @@ node k_add(kernel *k, node a, node b) {
     if (both_const(k, a, b)) return k_const(k, k->nodes[a].value + k->nodes[b].value);
     if (is_const(k, a, 0)) return b;
     if (is_const(k, b, 0)) return a;
+    if (k->nodes[a].op == OP_CONST) { node t = a; a = b; b = t; }
+    if (k->nodes[b].op == OP_CONST && k->nodes[b].value < 0) return k_sub(k, a, k_const(k, -k->nodes[b].value));
     if (k->nodes[b].op == OP_NEG) return k_sub(k, a, k->nodes[b].a);
     if (k->nodes[a].op == OP_NEG) return k_sub(k, b, k->nodes[a].a);
-    return a < b ? intern(k, OP_ADD, a, b, 0) : intern(k, OP_ADD, b, a, 0);
+    return a < b || k->nodes[b].op == OP_CONST ? intern(k, OP_ADD, a, b, 0) : intern(k, OP_ADD, b, a, 0);
 }
 
 node k_sub(kernel *k, node a, node b) {
