@@ -420,11 +420,15 @@ PRTDEF const char *prt_result_string(prt_result r) {
 enum { PRT__SH_KERNELS = 10, PRT__ROOTS = 128 };               /* generated: straight-line kernels, table of sqrt(k) */
 
 typedef void prt__sh_kernel(prt_real x, prt_real y, prt_real z, prt_real *PRT__RESTRICT out);
-typedef void prt__sh_kernel_v(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, size_t stride);
+typedef void prt__sh_kernel_v(int vectors, const prt_real *x, const prt_real *y, const prt_real *z,
+                              prt_real *PRT__RESTRICT out, size_t stride);
+typedef void prt__sh_kernel_at(prt_real x, prt_real y, prt_real z, const prt_real *f, prt_real *PRT__RESTRICT out);
 static prt__sh_kernel prt__sh_eval_1, prt__sh_eval_2, prt__sh_eval_3, prt__sh_eval_4, prt__sh_eval_5,
                       prt__sh_eval_6, prt__sh_eval_7, prt__sh_eval_8, prt__sh_eval_9, prt__sh_eval_10;
 static prt__sh_kernel_v prt__sh_eval_1_v, prt__sh_eval_2_v, prt__sh_eval_3_v, prt__sh_eval_4_v, prt__sh_eval_5_v,
                         prt__sh_eval_6_v, prt__sh_eval_7_v, prt__sh_eval_8_v, prt__sh_eval_9_v, prt__sh_eval_10_v;
+static prt__sh_kernel_at prt__sh_at_1, prt__sh_at_2, prt__sh_at_3, prt__sh_at_4, prt__sh_at_5,
+                         prt__sh_at_6, prt__sh_at_7, prt__sh_at_8, prt__sh_at_9, prt__sh_at_10;
 static const double *prt__roots(void), *prt__inverse_roots(void);
 
 static prt__sh_kernel *const prt__sh_kernels[PRT__SH_KERNELS] = {
@@ -434,6 +438,10 @@ static prt__sh_kernel *const prt__sh_kernels[PRT__SH_KERNELS] = {
 static prt__sh_kernel_v *const prt__sh_kernels_v[PRT__SH_KERNELS] = {
     prt__sh_eval_1_v, prt__sh_eval_2_v, prt__sh_eval_3_v, prt__sh_eval_4_v, prt__sh_eval_5_v,
     prt__sh_eval_6_v, prt__sh_eval_7_v, prt__sh_eval_8_v, prt__sh_eval_9_v, prt__sh_eval_10_v
+};
+static prt__sh_kernel_at *const prt__sh_kernels_at[PRT__SH_KERNELS] = {
+    prt__sh_at_1, prt__sh_at_2, prt__sh_at_3, prt__sh_at_4, prt__sh_at_5,
+    prt__sh_at_6, prt__sh_at_7, prt__sh_at_8, prt__sh_at_9, prt__sh_at_10
 };
 
 /* sqrt(k) and 1/sqrt(k) for integers k >= 1: a table to 64 bands, the instruction beyond */
@@ -536,48 +544,63 @@ PRT__INLINE prt_real prt__recurrence_with(prt__step_of *step, int bands, prt_vec
     return sum;
 }
 
-/* Where a vector of directions leaves its coefficients: coefficient i of lane k at to[i * step + k * row]. */
-typedef struct prt__sh_target { prt_real *to; size_t step, row; int lanes; } prt__sh_target;
+/* Batches go through blocks of PRT__SH_BLOCK vectors of directions, the last one padded. Coefficient i of direction k of
+   a block belongs at to[i * step + k * row]. */
+enum { PRT__SH_BLOCK = 4, PRT__SH_BLOCK_ITEMS = PRT__SH_BLOCK * PRT__LANES };
+typedef struct prt__sh_block {
+    prt_real x[PRT__SH_BLOCK_ITEMS], y[PRT__SH_BLOCK_ITEMS], z[PRT__SH_BLOCK_ITEMS];
+    int items;
+    prt_real *to;
+    size_t step, row;
+} prt__sh_block;
 
-PRT__INLINE void prt__sh_put(const prt__sh_target *t, int i, prt__vec v) {
-    prt_real *to = t->to + (size_t)i * t->step, all[PRT__LANES];
-    int k;
-    if (t->row == 1 && t->lanes == PRT__LANES) { prt__vec_store(to, v); return; }
+PRT__INLINE void prt__sh_put(const prt__sh_block *b, int i, int vector, prt__vec v) {
+    int first = vector * PRT__LANES, lanes = b->items - first, k;
+    prt_real *to = b->to + (size_t)i * b->step + (size_t)first * b->row, all[PRT__LANES];
+    if (b->row == 1 && lanes >= PRT__LANES) { prt__vec_store(to, v); return; }
     prt__vec_store(all, v);
-    for (k = 0; k < t->lanes; k++) to[(size_t)k * t->row] = all[k];
+    for (k = 0; k < PRT__LANES && k < lanes; k++) to[(size_t)k * b->row] = all[k];
 }
 
-PRT__INLINE void prt__recurrence_with_v(prt__step_of *step, int bands, prt__vec x, prt__vec y, prt__vec z,
-                                        const prt__sh_target *target) {
-    prt__vec re = prt__vec_set(1), im = prt__vec_set(0);
+/* The vectors of a block stand side by side in the innermost loop: the factors are taken once for all of them, and the
+   rows are written in runs of whole cache lines. */
+PRT__INLINE void prt__recurrence_with_v(prt__step_of *step, int bands, const prt__sh_block *b) {
+    prt__vec re[PRT__SH_BLOCK], im[PRT__SH_BLOCK], p1[PRT__SH_BLOCK], p2[PRT__SH_BLOCK];
     double sector = 0;
-    int l, m;
+    int l, m, v;
+    for (v = 0; v < PRT__SH_BLOCK; v++) { re[v] = prt__vec_set(1); im[v] = prt__vec_set(0); }
     for (m = 0; m < bands; m++) {
-        prt__vec p1, p2 = prt__vec_set(0), turned;
         sector = prt__sh_sector(m, sector);
-        p1 = prt__vec_set((prt_real)sector);
+        for (v = 0; v < PRT__SH_BLOCK; v++) { p1[v] = prt__vec_set((prt_real)sector); p2[v] = prt__vec_set(0); }
         for (l = m; l < bands; l++) {
-            if (l > m) {
-                prt__sh_step s = step(l, m);
-                prt__vec p = s.a * (z * p1) - s.c * p2;
-                p2 = p1;
-                p1 = p;
+            prt__sh_step s = { 0, 0 };
+            if (l > m) s = step(l, m);
+            for (v = 0; v < PRT__SH_BLOCK; v++) {
+                if (l > m) {
+                    prt__vec p = s.a * (prt__vec_load(b->z + v * PRT__LANES) * p1[v]) - s.c * p2[v];
+                    p2[v] = p1[v];
+                    p1[v] = p;
+                }
+                prt__sh_put(b, PRT_SH_INDEX(l, -m), v, p1[v] * im[v]);
+                prt__sh_put(b, PRT_SH_INDEX(l, m), v, p1[v] * re[v]);
             }
-            prt__sh_put(target, PRT_SH_INDEX(l, -m), p1 * im);
-            prt__sh_put(target, PRT_SH_INDEX(l, m), p1 * re);
         }
-        turned = re * x - im * y;
-        im = re * y + im * x;
-        re = turned;
+        for (v = 0; v < PRT__SH_BLOCK; v++) {
+            prt__vec x = prt__vec_load(b->x + v * PRT__LANES), y = prt__vec_load(b->y + v * PRT__LANES);
+            prt__vec turned = re[v] * x - im[v] * y;
+            im[v] = re[v] * y + im[v] * x;
+            re[v] = turned;
+        }
     }
 }
 
 /* What evaluates a basis: straight-line kernels for the low bands, a recurrence above. */
 typedef prt_real prt__recurrence(int bands, prt_vec3 d, const prt_real *f, prt_real *PRT__RESTRICT y, size_t stride);
-typedef void prt__recurrence_v(int bands, prt__vec x, prt__vec y, prt__vec z, const prt__sh_target *target);
+typedef void prt__recurrence_v(int bands, const prt__sh_block *b);
 typedef struct prt__basis {
     prt__sh_kernel *const *kernels;
     prt__sh_kernel_v *const *kernels_v;
+    prt__sh_kernel_at *const *kernels_at;
     prt__recurrence *recurrence;
     prt__recurrence_v *recurrence_v;
 } prt__basis;
@@ -586,32 +609,72 @@ PRT__STATIC prt_real prt__sh_recurrence(int bands, prt_vec3 d, const prt_real *f
                                         size_t stride) {
     return prt__recurrence_with(prt__sh_factors, bands, d, f, y, stride);
 }
-PRT__STATIC void prt__sh_recurrence_v(int bands, prt__vec x, prt__vec y, prt__vec z, const prt__sh_target *target) {
-    prt__recurrence_with_v(prt__sh_factors, bands, x, y, z, target);
+PRT__STATIC void prt__sh_recurrence_v(int bands, const prt__sh_block *b) {
+    prt__recurrence_with_v(prt__sh_factors, bands, b);
 }
 
-static const prt__basis prt__sh_basis = { prt__sh_kernels, prt__sh_kernels_v, prt__sh_recurrence, prt__sh_recurrence_v };
+static const prt__basis prt__sh_basis = {
+    prt__sh_kernels, prt__sh_kernels_v, prt__sh_kernels_at, prt__sh_recurrence, prt__sh_recurrence_v
+};
 
 PRT__INLINE void prt__eval(const prt__basis *basis, int bands, prt_vec3 d, prt_real *y) {
     if (bands <= PRT__SH_KERNELS) basis->kernels[bands - 1](d.x, d.y, d.z, y);
     else basis->recurrence(bands, d, NULL, y, 1);
 }
 
-/* Up to PRT__LANES directions; kernels store whole vectors, so any other target goes by way of a block. */
-PRT__STATIC void prt__eval_v(const prt__basis *basis, int bands, prt__vec x, prt__vec y, prt__vec z,
-                             const prt__sh_target *target) {
-    prt_real block[PRT_SH_COUNT(PRT__SH_KERNELS) * PRT__LANES];
-    int i, k;
-    if (bands > PRT__SH_KERNELS) { basis->recurrence_v(bands, x, y, z, target); return; }
-    if (target->row == 1 && target->lanes == PRT__LANES) {
-        basis->kernels_v[bands - 1](x, y, z, target->to, target->step);
-        return;
+#if PRT__SIMD
+/* to[column * row_stride + row] = from[row * from_stride + column] for 4 by 4 values */
+typedef prt_real prt__quad __attribute__((vector_size(4 * sizeof(prt_real))));
+PRT__INLINE void prt__transpose_quad(const prt_real *from, size_t from_stride, prt_real *to, size_t to_stride) {
+    prt__quad a, b, c, d, low, high, low2, high2;
+    memcpy(&a, from, sizeof a);
+    memcpy(&b, from + from_stride, sizeof b);
+    memcpy(&c, from + 2 * from_stride, sizeof c);
+    memcpy(&d, from + 3 * from_stride, sizeof d);
+#  if defined(__clang__) || __GNUC__ >= 12
+    low = __builtin_shufflevector(a, b, 0, 4, 1, 5);  high = __builtin_shufflevector(a, b, 2, 6, 3, 7);
+    low2 = __builtin_shufflevector(c, d, 0, 4, 1, 5); high2 = __builtin_shufflevector(c, d, 2, 6, 3, 7);
+    a = __builtin_shufflevector(low, low2, 0, 1, 4, 5);   b = __builtin_shufflevector(low, low2, 2, 3, 6, 7);
+    c = __builtin_shufflevector(high, high2, 0, 1, 4, 5); d = __builtin_shufflevector(high, high2, 2, 3, 6, 7);
+#  else
+    {   prt__quad m[4];
+        int i;
+        m[0] = a; m[1] = b; m[2] = c; m[3] = d;
+        for (i = 0; i < 4; i++) { a[i] = m[i][0]; b[i] = m[i][1]; c[i] = m[i][2]; d[i] = m[i][3]; }
+        (void)low; (void)high; (void)low2; (void)high2;
     }
-    basis->kernels_v[bands - 1](x, y, z, block, PRT__LANES);
-    for (k = 0; k < target->lanes; k++) {
-        prt_real *to = target->to + (size_t)k * target->row;
-        for (i = 0; i < PRT_SH_COUNT(bands); i++) to[(size_t)i * target->step] = block[i * PRT__LANES + k];
+#  endif
+    memcpy(to, &a, sizeof a);
+    memcpy(to + to_stride, &b, sizeof b);
+    memcpy(to + 2 * to_stride, &c, sizeof c);
+    memcpy(to + 3 * to_stride, &d, sizeof d);
+}
+#endif
+
+/* to[k * n + i] = from[i * from_stride + k]: rows of coefficients out of a block of columns */
+PRT__STATIC void prt__transpose(int n, int items, const prt_real *from, size_t from_stride, prt_real *PRT__RESTRICT to) {
+    int i, k = 0, quads = 0;
+#if PRT__SIMD
+    quads = n & ~3;
+    for (; k + 4 <= items; k += 4)
+        for (i = 0; i < quads; i += 4)
+            prt__transpose_quad(from + (size_t)i * from_stride + k, from_stride, to + (size_t)k * (size_t)n + i, (size_t)n);
+#endif
+    for (i = 0; i < n; i++) {
+        int first = i < quads ? k : 0, item;
+        for (item = first; item < items; item++) to[(size_t)item * (size_t)n + (size_t)i] = from[(size_t)i * from_stride + (size_t)item];
     }
+}
+
+PRT__STATIC void prt__eval_block(const prt__basis *basis, int bands, const prt__sh_block *b) {
+    prt_real columns[PRT_SH_COUNT(PRT__SH_KERNELS) * PRT__SH_BLOCK_ITEMS];
+    int vectors = (b->items + PRT__LANES - 1) / PRT__LANES, n = PRT_SH_COUNT(bands), i;
+    if (bands > PRT__SH_KERNELS) { basis->recurrence_v(bands, b); return; }
+    basis->kernels_v[bands - 1](vectors, b->x, b->y, b->z, columns, PRT__SH_BLOCK_ITEMS);
+    if (b->row == 1)
+        for (i = 0; i < n; i++)
+            memcpy(b->to + (size_t)i * b->step, columns + i * PRT__SH_BLOCK_ITEMS, (size_t)b->items * sizeof(prt_real));
+    else prt__transpose(n, b->items, columns, PRT__SH_BLOCK_ITEMS, b->to);
 }
 
 PRT__STATIC prt_result prt__eval_n(const prt__basis *basis, int bands, int count, const prt_vec3 *dirs, prt_real *y) {
@@ -626,48 +689,59 @@ PRT__STATIC prt_result prt__eval_n(const prt__basis *basis, int bands, int count
         for (k = 0; k < count; k++) prt__eval(basis, bands, dirs[k], y + (size_t)k * n);
         return PRT_OK;
     }
-    for (first = 0; first < count; first += PRT__LANES) {
-        prt_real dx[PRT__LANES] = { 0 }, dy[PRT__LANES] = { 0 }, dz[PRT__LANES] = { 0 };
-        prt__sh_target target;
-        target.to = y + (size_t)first * n;
-        target.step = 1;
-        target.row = n;
-        target.lanes = count - first < PRT__LANES ? count - first : PRT__LANES;
-        for (k = 0; k < target.lanes; k++) {
-            dx[k] = dirs[first + k].x;
-            dy[k] = dirs[first + k].y;
-            dz[k] = dirs[first + k].z;
+    for (first = 0; first < count; first += PRT__SH_BLOCK_ITEMS) {
+        prt__sh_block b;
+        b.items = count - first < PRT__SH_BLOCK_ITEMS ? count - first : PRT__SH_BLOCK_ITEMS;
+        b.to = y + (size_t)first * n;
+        b.step = 1;
+        b.row = n;
+        for (k = 0; k < PRT__SH_BLOCK_ITEMS; k++) {
+            prt_vec3 d = dirs[first + (k < b.items ? k : 0)];
+            b.x[k] = d.x; b.y[k] = d.y; b.z[k] = d.z;
         }
-        prt__eval_v(basis, bands, prt__vec_load(dx), prt__vec_load(dy), prt__vec_load(dz), &target);
+        prt__eval_block(basis, bands, &b);
     }
     return PRT_OK;
 }
 
+/* Directions first ... first + items - 1 as a block, padded with the first of them. */
+PRT__STATIC void prt__eval_soa_block(const prt__basis *basis, int bands, int items, const prt_real *x, const prt_real *y,
+                                     const prt_real *z, prt_real *out, size_t stride) {
+    prt__sh_block b;
+    int k;
+    b.items = items;
+    b.to = out;
+    b.step = stride;
+    b.row = 1;
+    for (k = 0; k < PRT__SH_BLOCK_ITEMS; k++) {
+        int from = k < items ? k : 0;
+        b.x[k] = x[from]; b.y[k] = y[from]; b.z[k] = z[from];
+    }
+    prt__eval_block(basis, bands, &b);
+}
+
+enum { PRT__SH_CHUNK = 1024 };                                 /* directions a sweep: they stay in the first-level cache */
+
 PRT__STATIC prt_result prt__eval_soa(const prt__basis *basis, int bands, int count, const prt_real *x, const prt_real *y,
                                      const prt_real *z, prt_real *out, size_t stride) {
-    prt__sh_target target;
-    int k;
+    int k = 0;
     if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
     if (count < 0 || stride < (size_t)count) return PRT_ERR_COUNT;
     if (count == 0) return PRT_OK;
     if (!x || !y || !z || !out) return PRT_ERR_NULL;
     if (bands > PRT__SH_UNSCALED) {
-        for (k = 0; k < count; k++) basis->recurrence(bands, prt__vec3(x[k], y[k], z[k]), NULL, out + k, stride);
+        for (; k < count; k++) basis->recurrence(bands, prt__vec3(x[k], y[k], z[k]), NULL, out + k, stride);
         return PRT_OK;
     }
-    target.step = stride;
-    target.row = 1;
-    target.lanes = PRT__LANES;
-    for (k = 0; k + PRT__LANES <= count; k += PRT__LANES) {
-        target.to = out + k;
-        prt__eval_v(basis, bands, prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), &target);
-    }
-    if (k < count) {
-        target.to = out + k;
-        target.lanes = count - k;
-        prt__eval_v(basis, bands, prt__vec_load_part(x + k, target.lanes), prt__vec_load_part(y + k, target.lanes),
-                    prt__vec_load_part(z + k, target.lanes), &target);
-    }
+    if (bands <= PRT__SH_KERNELS)
+        while (count - k >= PRT__LANES) {
+            int vectors = (count - k < PRT__SH_CHUNK ? count - k : PRT__SH_CHUNK) / PRT__LANES;
+            basis->kernels_v[bands - 1](vectors, x + k, y + k, z + k, out + k, stride);
+            k += vectors * PRT__LANES;
+        }
+    for (; k < count; k += PRT__SH_BLOCK_ITEMS)
+        prt__eval_soa_block(basis, bands, count - k < PRT__SH_BLOCK_ITEMS ? count - k : PRT__SH_BLOCK_ITEMS,
+                            x + k, y + k, z + k, out + k, stride);
     return PRT_OK;
 }
 
@@ -700,11 +774,11 @@ PRT__STATIC prt_real prt__dot(int count, const prt_real *f, const prt_real *g) {
 }
 
 PRT__INLINE prt_real prt__at(const prt__basis *basis, int bands, const prt_real *f, prt_vec3 dir) {
-    prt_real y[PRT_SH_COUNT(PRT__SH_KERNELS)];
+    prt_real sum;
     if (!prt__bands_ok(bands) || !f) return 0;
     if (bands > PRT__SH_KERNELS) return basis->recurrence(bands, dir, f, NULL, 1);
-    basis->kernels[bands - 1](dir.x, dir.y, dir.z, y);
-    return prt__dot(PRT_SH_COUNT(bands), f, y);
+    basis->kernels_at[bands - 1](dir.x, dir.y, dir.z, f, &sum);
+    return sum;
 }
 
 PRTDEF prt_real prt_sh_at(int bands, const prt_real *f, prt_vec3 dir) {
@@ -1267,7 +1341,7 @@ PRT__STATIC const double *prt__inverse_roots(void) {
 
 /* END GENERATED */
 
-/* BEGIN GENERATED: prt_codegen --lang c --emit sh_eval --bands 1-10 */
+/* BEGIN GENERATED: prt_codegen --lang c --emit sh_eval,sh_at --bands 1-10 */
 /* SH basis, 1 band: 0 multiplications, 0 additions (0 can fuse), 1 stores */
 PRT__STATIC void prt__sh_eval_1(prt_real x, prt_real y, prt_real z, prt_real *PRT__RESTRICT out) {
     (void)x;
@@ -1277,12 +1351,20 @@ PRT__STATIC void prt__sh_eval_1(prt_real x, prt_real y, prt_real z, prt_real *PR
 }
 
 /* SH basis, 1 band: 0 multiplications, 0 additions (0 can fuse), 1 stores */
-PRT__STATIC void prt__sh_eval_1_v(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, size_t stride) {
+PRT__INLINE void prt__sh_eval_1_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out,
+    size_t stride, int first, int last) {
     (void)x;
     (void)y;
     (void)z;
     (void)stride;
-    prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+    if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+}
+
+PRT__STATIC void prt__sh_eval_1_v(int vectors, const prt_real *x, const prt_real *y, const prt_real *z,
+    prt_real *PRT__RESTRICT out, size_t stride) {
+    int k;
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_1_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 0, 1);
 }
 
 /* SH basis, 2 bands: 3 multiplications, 0 additions (0 can fuse), 4 stores */
@@ -1294,11 +1376,19 @@ PRT__STATIC void prt__sh_eval_2(prt_real x, prt_real y, prt_real z, prt_real *PR
 }
 
 /* SH basis, 2 bands: 3 multiplications, 0 additions (0 can fuse), 4 stores */
-PRT__STATIC void prt__sh_eval_2_v(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, size_t stride) {
-    prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
-    prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
-    prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
-    prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
+PRT__INLINE void prt__sh_eval_2_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out,
+    size_t stride, int first, int last) {
+    if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+    if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
+    if (first <= 2 && 2 < last) prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
+    if (first <= 3 && 3 < last) prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
+}
+
+PRT__STATIC void prt__sh_eval_2_v(int vectors, const prt_real *x, const prt_real *y, const prt_real *z,
+    prt_real *PRT__RESTRICT out, size_t stride) {
+    int k;
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_2_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 0, 4);
 }
 
 /* SH basis, 3 bands: 12 multiplications, 4 additions (1 can fuse), 9 stores */
@@ -1317,18 +1407,30 @@ PRT__STATIC void prt__sh_eval_3(prt_real x, prt_real y, prt_real z, prt_real *PR
 }
 
 /* SH basis, 3 bands: 12 multiplications, 4 additions (1 can fuse), 9 stores */
-PRT__STATIC void prt__sh_eval_3_v(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, size_t stride) {
-    prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
-    prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
-    prt__vec_store(out + 6 * stride, PRT__R(0.946174695757560018093) * (z * z) - PRT__R(0.315391565252520006031));
-    prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
-    prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
+PRT__INLINE void prt__sh_eval_3_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out,
+    size_t stride, int first, int last) {
+    if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+    if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
+    if (first <= 2 && 2 < last)
+        prt__vec_store(out + 6 * stride, PRT__R(0.946174695757560018093) * (z * z) - PRT__R(0.315391565252520006031));
+    if (first <= 3 && 3 < last) prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
+    if (first <= 4 && 4 < last) prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
     const prt__vec t1 = PRT__R(1.09254843059207907054) * z;
-    prt__vec_store(out + 5 * stride, y * t1);
-    prt__vec_store(out + 7 * stride, x * t1);
+    if (first <= 5 && 5 < last) prt__vec_store(out + 5 * stride, y * t1);
+    if (first <= 6 && 6 < last) prt__vec_store(out + 7 * stride, x * t1);
     const prt__vec t2 = x * y;
-    prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * (t2 + t2));
-    prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * ((x + y) * (x - y)));
+    if (first <= 7 && 7 < last) prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * (t2 + t2));
+    if (first <= 8 && 8 < last)
+        prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * ((x + y) * (x - y)));
+}
+
+PRT__STATIC void prt__sh_eval_3_v(int vectors, const prt_real *x, const prt_real *y, const prt_real *z,
+    prt_real *PRT__RESTRICT out, size_t stride) {
+    int k;
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_3_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 0, 5);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_3_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 5, 9);
 }
 
 /* SH basis, 4 bands: 25 multiplications, 11 additions (3 can fuse), 16 stores */
@@ -1362,33 +1464,46 @@ PRT__STATIC void prt__sh_eval_4(prt_real x, prt_real y, prt_real z, prt_real *PR
 }
 
 /* SH basis, 4 bands: 25 multiplications, 11 additions (3 can fuse), 16 stores */
-PRT__STATIC void prt__sh_eval_4_v(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, size_t stride) {
-    prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
-    prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
+PRT__INLINE void prt__sh_eval_4_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out,
+    size_t stride, int first, int last) {
+    if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+    if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
     const prt__vec t1 = z * z;
-    prt__vec_store(out + 6 * stride, PRT__R(0.946174695757560018093) * t1 - PRT__R(0.315391565252520006031));
+    if (first <= 2 && 2 < last)
+        prt__vec_store(out + 6 * stride, PRT__R(0.946174695757560018093) * t1 - PRT__R(0.315391565252520006031));
     const prt__vec t2 = PRT__R(1.86588166295057695707) * t1 - PRT__R(1.11952899777034617424);
-    prt__vec_store(out + 12 * stride, z * t2);
-    prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
-    prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
+    if (first <= 3 && 3 < last) prt__vec_store(out + 12 * stride, z * t2);
+    if (first <= 4 && 4 < last) prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
+    if (first <= 5 && 5 < last) prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
     const prt__vec t3 = PRT__R(1.09254843059207907054) * z;
-    prt__vec_store(out + 5 * stride, y * t3);
-    prt__vec_store(out + 7 * stride, x * t3);
+    if (first <= 6 && 6 < last) prt__vec_store(out + 5 * stride, y * t3);
+    if (first <= 7 && 7 < last) prt__vec_store(out + 7 * stride, x * t3);
     const prt__vec t4 = PRT__R(2.28522899732232868079) * t1 - PRT__R(0.457045799464465736158);
-    prt__vec_store(out + 11 * stride, y * t4);
-    prt__vec_store(out + 13 * stride, x * t4);
+    if (first <= 8 && 8 < last) prt__vec_store(out + 11 * stride, y * t4);
+    if (first <= 9 && 9 < last) prt__vec_store(out + 13 * stride, x * t4);
     const prt__vec t5 = x * y;
     const prt__vec t6 = t5 + t5;
-    prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t6);
+    if (first <= 10 && 10 < last) prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t6);
     const prt__vec t7 = (x + y) * (x - y);
-    prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t7);
+    if (first <= 11 && 11 < last) prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t7);
     const prt__vec t8 = PRT__R(1.44530572132027702769) * z;
-    prt__vec_store(out + 10 * stride, t6 * t8);
-    prt__vec_store(out + 14 * stride, t7 * t8);
+    if (first <= 12 && 12 < last) prt__vec_store(out + 10 * stride, t6 * t8);
+    if (first <= 13 && 13 < last) prt__vec_store(out + 14 * stride, t7 * t8);
     const prt__vec t9 = y * y;
     const prt__vec t10 = t7 + t9;
-    prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * (y * (t7 + (t10 + t10))));
-    prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * (x * (t7 - (t9 + t9))));
+    if (first <= 14 && 14 < last)
+        prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * (y * (t7 + (t10 + t10))));
+    if (first <= 15 && 15 < last)
+        prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * (x * (t7 - (t9 + t9))));
+}
+
+PRT__STATIC void prt__sh_eval_4_v(int vectors, const prt_real *x, const prt_real *y, const prt_real *z,
+    prt_real *PRT__RESTRICT out, size_t stride) {
+    int k;
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_4_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 0, 8);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_4_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 8, 16);
 }
 
 /* SH basis, 5 bands: 41 multiplications, 18 additions (7 can fuse), 25 stores */
@@ -1440,51 +1555,66 @@ PRT__STATIC void prt__sh_eval_5(prt_real x, prt_real y, prt_real z, prt_real *PR
 }
 
 /* SH basis, 5 bands: 41 multiplications, 18 additions (7 can fuse), 25 stores */
-PRT__STATIC void prt__sh_eval_5_v(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, size_t stride) {
-    prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
-    prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
+PRT__INLINE void prt__sh_eval_5_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out,
+    size_t stride, int first, int last) {
+    if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+    if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
     const prt__vec t1 = z * z;
     const prt__vec t2 = PRT__R(0.946174695757560018093) * t1 - PRT__R(0.315391565252520006031);
-    prt__vec_store(out + 6 * stride, t2);
+    if (first <= 2 && 2 < last) prt__vec_store(out + 6 * stride, t2);
     const prt__vec t3 = PRT__R(1.86588166295057695707) * t1 - PRT__R(1.11952899777034617424);
-    prt__vec_store(out + 12 * stride, z * t3);
+    if (first <= 3 && 3 < last) prt__vec_store(out + 12 * stride, z * t3);
     const prt__vec t4 = PRT__R(4.13572565211287073036) * t2 - PRT__R(0.745355992499929898803);
-    prt__vec_store(out + 20 * stride, t2 * t4 - PRT__R(0.329110590402857834053));
-    prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
-    prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
+    if (first <= 4 && 4 < last) prt__vec_store(out + 20 * stride, t2 * t4 - PRT__R(0.329110590402857834053));
+    if (first <= 5 && 5 < last) prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
+    if (first <= 6 && 6 < last) prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
     const prt__vec t5 = PRT__R(1.09254843059207907054) * z;
-    prt__vec_store(out + 5 * stride, y * t5);
-    prt__vec_store(out + 7 * stride, x * t5);
+    if (first <= 7 && 7 < last) prt__vec_store(out + 5 * stride, y * t5);
+    if (first <= 8 && 8 < last) prt__vec_store(out + 7 * stride, x * t5);
     const prt__vec t6 = PRT__R(2.28522899732232868079) * t1 - PRT__R(0.457045799464465736158);
-    prt__vec_store(out + 11 * stride, y * t6);
-    prt__vec_store(out + 13 * stride, x * t6);
+    if (first <= 9 && 9 < last) prt__vec_store(out + 11 * stride, y * t6);
+    if (first <= 10 && 10 < last) prt__vec_store(out + 13 * stride, x * t6);
     const prt__vec t7 = PRT__R(4.68332580490102417566) * t1 - PRT__R(2.00713963067186750386);
     const prt__vec t8 = z * t7;
-    prt__vec_store(out + 19 * stride, y * t8);
-    prt__vec_store(out + 21 * stride, x * t8);
+    if (first <= 11 && 11 < last) prt__vec_store(out + 19 * stride, y * t8);
+    if (first <= 12 && 12 < last) prt__vec_store(out + 21 * stride, x * t8);
     const prt__vec t9 = x * y;
     const prt__vec t10 = t9 + t9;
-    prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t10);
+    if (first <= 13 && 13 < last) prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t10);
     const prt__vec t11 = (x + y) * (x - y);
-    prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t11);
+    if (first <= 14 && 14 < last) prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t11);
     const prt__vec t12 = PRT__R(1.44530572132027702769) * z;
-    prt__vec_store(out + 10 * stride, t10 * t12);
-    prt__vec_store(out + 14 * stride, t11 * t12);
+    if (first <= 15 && 15 < last) prt__vec_store(out + 10 * stride, t10 * t12);
+    if (first <= 16 && 16 < last) prt__vec_store(out + 14 * stride, t11 * t12);
     const prt__vec t13 = PRT__R(3.31161143515146006332) * t1 - PRT__R(0.473087347878780009046);
-    prt__vec_store(out + 18 * stride, t10 * t13);
-    prt__vec_store(out + 22 * stride, t11 * t13);
+    if (first <= 17 && 17 < last) prt__vec_store(out + 18 * stride, t10 * t13);
+    if (first <= 18 && 18 < last) prt__vec_store(out + 22 * stride, t11 * t13);
     const prt__vec t14 = y * y;
     const prt__vec t15 = t11 + t14;
     const prt__vec t16 = y * (t11 + (t15 + t15));
-    prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * t16);
+    if (first <= 19 && 19 < last) prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * t16);
     const prt__vec t17 = x * (t11 - (t14 + t14));
-    prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * t17);
+    if (first <= 20 && 20 < last) prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * t17);
     const prt__vec t18 = PRT__R(1.77013076977993053104) * z;
-    prt__vec_store(out + 17 * stride, t16 * t18);
-    prt__vec_store(out + 23 * stride, t17 * t18);
+    if (first <= 21 && 21 < last) prt__vec_store(out + 17 * stride, t16 * t18);
+    if (first <= 22 && 22 < last) prt__vec_store(out + 23 * stride, t17 * t18);
     const prt__vec t19 = t11 * t10;
-    prt__vec_store(out + 16 * stride, PRT__R(0.625835735449176134587) * (t19 + t19));
-    prt__vec_store(out + 24 * stride, PRT__R(0.625835735449176134587) * ((t11 + t10) * (t11 - t10)));
+    if (first <= 23 && 23 < last) prt__vec_store(out + 16 * stride, PRT__R(0.625835735449176134587) * (t19 + t19));
+    if (first <= 24 && 24 < last)
+        prt__vec_store(out + 24 * stride, PRT__R(0.625835735449176134587) * ((t11 + t10) * (t11 - t10)));
+}
+
+PRT__STATIC void prt__sh_eval_5_v(int vectors, const prt_real *x, const prt_real *y, const prt_real *z,
+    prt_real *PRT__RESTRICT out, size_t stride) {
+    int k;
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_5_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 0, 7);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_5_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 7, 14);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_5_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 14, 21);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_5_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 21, 25);
 }
 
 /* SH basis, 6 bands: 64 multiplications, 25 additions (14 can fuse), 36 stores */
@@ -1557,72 +1687,91 @@ PRT__STATIC void prt__sh_eval_6(prt_real x, prt_real y, prt_real z, prt_real *PR
 }
 
 /* SH basis, 6 bands: 64 multiplications, 25 additions (14 can fuse), 36 stores */
-PRT__STATIC void prt__sh_eval_6_v(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, size_t stride) {
-    prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
-    prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
+PRT__INLINE void prt__sh_eval_6_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out,
+    size_t stride, int first, int last) {
+    if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+    if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
     const prt__vec t1 = z * z;
     const prt__vec t2 = PRT__R(0.946174695757560018093) * t1 - PRT__R(0.315391565252520006031);
-    prt__vec_store(out + 6 * stride, t2);
+    if (first <= 2 && 2 < last) prt__vec_store(out + 6 * stride, t2);
     const prt__vec t3 = PRT__R(1.86588166295057695707) * t1 - PRT__R(1.11952899777034617424);
     const prt__vec t4 = z * t3;
-    prt__vec_store(out + 12 * stride, t4);
+    if (first <= 3 && 3 < last) prt__vec_store(out + 12 * stride, t4);
     const prt__vec t5 = PRT__R(4.13572565211287073036) * t2 - PRT__R(0.745355992499929898803);
     const prt__vec t6 = t2 * t5 - PRT__R(0.329110590402857834053);
-    prt__vec_store(out + 20 * stride, t6);
-    prt__vec_store(out + 30 * stride, PRT__R(1.98997487421323990947) * (z * t6) - PRT__R(1.00285307284481394976) * t4);
-    prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
-    prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
+    if (first <= 4 && 4 < last) prt__vec_store(out + 20 * stride, t6);
+    if (first <= 5 && 5 < last)
+        prt__vec_store(out + 30 * stride, PRT__R(1.98997487421323990947) * (z * t6) - PRT__R(1.00285307284481394976) * t4);
+    if (first <= 6 && 6 < last) prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
+    if (first <= 7 && 7 < last) prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
     const prt__vec t7 = PRT__R(1.09254843059207907054) * z;
-    prt__vec_store(out + 5 * stride, y * t7);
-    prt__vec_store(out + 7 * stride, x * t7);
+    if (first <= 8 && 8 < last) prt__vec_store(out + 5 * stride, y * t7);
+    if (first <= 9 && 9 < last) prt__vec_store(out + 7 * stride, x * t7);
     const prt__vec t8 = PRT__R(2.28522899732232868079) * t1 - PRT__R(0.457045799464465736158);
-    prt__vec_store(out + 11 * stride, y * t8);
-    prt__vec_store(out + 13 * stride, x * t8);
+    if (first <= 10 && 10 < last) prt__vec_store(out + 11 * stride, y * t8);
+    if (first <= 11 && 11 < last) prt__vec_store(out + 13 * stride, x * t8);
     const prt__vec t9 = PRT__R(4.68332580490102417566) * t1 - PRT__R(2.00713963067186750386);
     const prt__vec t10 = z * t9;
-    prt__vec_store(out + 19 * stride, y * t10);
-    prt__vec_store(out + 21 * stride, x * t10);
+    if (first <= 12 && 12 < last) prt__vec_store(out + 19 * stride, y * t10);
+    if (first <= 13 && 13 < last) prt__vec_store(out + 21 * stride, x * t10);
     const prt__vec t11 = PRT__R(1.82140655598655998134) * t8 - PRT__R(1.10995495404092863574);
     const prt__vec t12 = t8 * t11 - PRT__R(0.434828785147869044447);
-    prt__vec_store(out + 29 * stride, y * t12);
-    prt__vec_store(out + 31 * stride, x * t12);
+    if (first <= 14 && 14 < last) prt__vec_store(out + 29 * stride, y * t12);
+    if (first <= 15 && 15 < last) prt__vec_store(out + 31 * stride, x * t12);
     const prt__vec t13 = x * y;
     const prt__vec t14 = t13 + t13;
-    prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t14);
+    if (first <= 16 && 16 < last) prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t14);
     const prt__vec t15 = (x + y) * (x - y);
-    prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t15);
+    if (first <= 17 && 17 < last) prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t15);
     const prt__vec t16 = PRT__R(1.44530572132027702769) * z;
-    prt__vec_store(out + 10 * stride, t14 * t16);
-    prt__vec_store(out + 14 * stride, t15 * t16);
+    if (first <= 18 && 18 < last) prt__vec_store(out + 10 * stride, t14 * t16);
+    if (first <= 19 && 19 < last) prt__vec_store(out + 14 * stride, t15 * t16);
     const prt__vec t17 = PRT__R(3.31161143515146006332) * t1 - PRT__R(0.473087347878780009046);
-    prt__vec_store(out + 18 * stride, t14 * t17);
-    prt__vec_store(out + 22 * stride, t15 * t17);
+    if (first <= 20 && 20 < last) prt__vec_store(out + 18 * stride, t14 * t17);
+    if (first <= 21 && 21 < last) prt__vec_store(out + 22 * stride, t15 * t17);
     const prt__vec t18 = PRT__R(7.1903051774599856325) * t1 - PRT__R(2.3967683924866618775);
     const prt__vec t19 = z * t18;
-    prt__vec_store(out + 28 * stride, t14 * t19);
-    prt__vec_store(out + 32 * stride, t15 * t19);
+    if (first <= 22 && 22 < last) prt__vec_store(out + 28 * stride, t14 * t19);
+    if (first <= 23 && 23 < last) prt__vec_store(out + 32 * stride, t15 * t19);
     const prt__vec t20 = y * y;
     const prt__vec t21 = t15 + t20;
     const prt__vec t22 = y * (t15 + (t21 + t21));
-    prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * t22);
+    if (first <= 24 && 24 < last) prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * t22);
     const prt__vec t23 = x * (t15 - (t20 + t20));
-    prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * t23);
+    if (first <= 25 && 25 < last) prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * t23);
     const prt__vec t24 = PRT__R(1.77013076977993053104) * z;
-    prt__vec_store(out + 17 * stride, t22 * t24);
-    prt__vec_store(out + 23 * stride, t23 * t24);
+    if (first <= 26 && 26 < last) prt__vec_store(out + 17 * stride, t22 * t24);
+    if (first <= 27 && 27 < last) prt__vec_store(out + 23 * stride, t23 * t24);
     const prt__vec t25 = PRT__R(4.40314469491725348916) * t1 - PRT__R(0.489238299435250387684);
-    prt__vec_store(out + 27 * stride, t22 * t25);
-    prt__vec_store(out + 33 * stride, t23 * t25);
+    if (first <= 28 && 28 < last) prt__vec_store(out + 27 * stride, t22 * t25);
+    if (first <= 29 && 29 < last) prt__vec_store(out + 33 * stride, t23 * t25);
     const prt__vec t26 = t15 * t14;
     const prt__vec t27 = t26 + t26;
-    prt__vec_store(out + 16 * stride, PRT__R(0.625835735449176134587) * t27);
+    if (first <= 30 && 30 < last) prt__vec_store(out + 16 * stride, PRT__R(0.625835735449176134587) * t27);
     const prt__vec t28 = (t15 + t14) * (t15 - t14);
-    prt__vec_store(out + 24 * stride, PRT__R(0.625835735449176134587) * t28);
+    if (first <= 31 && 31 < last) prt__vec_store(out + 24 * stride, PRT__R(0.625835735449176134587) * t28);
     const prt__vec t29 = PRT__R(2.075662314881041279) * z;
-    prt__vec_store(out + 26 * stride, t27 * t29);
-    prt__vec_store(out + 34 * stride, t28 * t29);
-    prt__vec_store(out + 25 * stride, PRT__R(0.656382056840170102814) * (y * t28 + x * t27));
-    prt__vec_store(out + 35 * stride, PRT__R(0.656382056840170102814) * (x * t28 - y * t27));
+    if (first <= 32 && 32 < last) prt__vec_store(out + 26 * stride, t27 * t29);
+    if (first <= 33 && 33 < last) prt__vec_store(out + 34 * stride, t28 * t29);
+    if (first <= 34 && 34 < last)
+        prt__vec_store(out + 25 * stride, PRT__R(0.656382056840170102814) * (y * t28 + x * t27));
+    if (first <= 35 && 35 < last)
+        prt__vec_store(out + 35 * stride, PRT__R(0.656382056840170102814) * (x * t28 - y * t27));
+}
+
+PRT__STATIC void prt__sh_eval_6_v(int vectors, const prt_real *x, const prt_real *y, const prt_real *z,
+    prt_real *PRT__RESTRICT out, size_t stride) {
+    int k;
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_6_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 0, 8);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_6_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 8, 16);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_6_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 16, 24);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_6_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 24, 32);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_6_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 32, 36);
 }
 
 /* SH basis, 7 bands: 90 multiplications, 34 additions (20 can fuse), 49 stores */
@@ -1719,96 +1868,118 @@ PRT__STATIC void prt__sh_eval_7(prt_real x, prt_real y, prt_real z, prt_real *PR
 }
 
 /* SH basis, 7 bands: 90 multiplications, 34 additions (20 can fuse), 49 stores */
-PRT__STATIC void prt__sh_eval_7_v(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, size_t stride) {
-    prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
-    prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
+PRT__INLINE void prt__sh_eval_7_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out,
+    size_t stride, int first, int last) {
+    if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+    if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
     const prt__vec t1 = z * z;
     const prt__vec t2 = PRT__R(0.946174695757560018093) * t1 - PRT__R(0.315391565252520006031);
-    prt__vec_store(out + 6 * stride, t2);
+    if (first <= 2 && 2 < last) prt__vec_store(out + 6 * stride, t2);
     const prt__vec t3 = PRT__R(1.86588166295057695707) * t1 - PRT__R(1.11952899777034617424);
     const prt__vec t4 = z * t3;
-    prt__vec_store(out + 12 * stride, t4);
+    if (first <= 3 && 3 < last) prt__vec_store(out + 12 * stride, t4);
     const prt__vec t5 = PRT__R(4.13572565211287073036) * t2 - PRT__R(0.745355992499929898803);
     const prt__vec t6 = t2 * t5 - PRT__R(0.329110590402857834053);
-    prt__vec_store(out + 20 * stride, t6);
+    if (first <= 4 && 4 < last) prt__vec_store(out + 20 * stride, t6);
     const prt__vec t7 = PRT__R(1.98997487421323990947) * (z * t6) - PRT__R(1.00285307284481394976) * t4;
-    prt__vec_store(out + 30 * stride, t7);
-    prt__vec_store(out + 42 * stride, PRT__R(1.99304345718356633685) * (z * t7) - PRT__R(1.00154202096221924809) * t6);
-    prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
-    prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
+    if (first <= 5 && 5 < last) prt__vec_store(out + 30 * stride, t7);
+    if (first <= 6 && 6 < last)
+        prt__vec_store(out + 42 * stride, PRT__R(1.99304345718356633685) * (z * t7) - PRT__R(1.00154202096221924809) * t6);
+    if (first <= 7 && 7 < last) prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
+    if (first <= 8 && 8 < last) prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
     const prt__vec t8 = PRT__R(1.09254843059207907054) * z;
-    prt__vec_store(out + 5 * stride, y * t8);
-    prt__vec_store(out + 7 * stride, x * t8);
+    if (first <= 9 && 9 < last) prt__vec_store(out + 5 * stride, y * t8);
+    if (first <= 10 && 10 < last) prt__vec_store(out + 7 * stride, x * t8);
     const prt__vec t9 = PRT__R(2.28522899732232868079) * t1 - PRT__R(0.457045799464465736158);
-    prt__vec_store(out + 11 * stride, y * t9);
-    prt__vec_store(out + 13 * stride, x * t9);
+    if (first <= 11 && 11 < last) prt__vec_store(out + 11 * stride, y * t9);
+    if (first <= 12 && 12 < last) prt__vec_store(out + 13 * stride, x * t9);
     const prt__vec t10 = PRT__R(4.68332580490102417566) * t1 - PRT__R(2.00713963067186750386);
     const prt__vec t11 = z * t10;
-    prt__vec_store(out + 19 * stride, y * t11);
-    prt__vec_store(out + 21 * stride, x * t11);
+    if (first <= 13 && 13 < last) prt__vec_store(out + 19 * stride, y * t11);
+    if (first <= 14 && 14 < last) prt__vec_store(out + 21 * stride, x * t11);
     const prt__vec t12 = PRT__R(1.82140655598655998134) * t9 - PRT__R(1.10995495404092863574);
     const prt__vec t13 = t9 * t12 - PRT__R(0.434828785147869044447);
-    prt__vec_store(out + 29 * stride, y * t13);
-    prt__vec_store(out + 31 * stride, x * t13);
+    if (first <= 15 && 15 < last) prt__vec_store(out + 29 * stride, y * t13);
+    if (first <= 16 && 16 < last) prt__vec_store(out + 31 * stride, x * t13);
     const prt__vec t14 = PRT__R(2.02131498923702777609) * (z * t13) - PRT__R(0.995226703056238577025) * t11;
-    prt__vec_store(out + 41 * stride, y * t14);
-    prt__vec_store(out + 43 * stride, x * t14);
+    if (first <= 17 && 17 < last) prt__vec_store(out + 41 * stride, y * t14);
+    if (first <= 18 && 18 < last) prt__vec_store(out + 43 * stride, x * t14);
     const prt__vec t15 = x * y;
     const prt__vec t16 = t15 + t15;
-    prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t16);
+    if (first <= 19 && 19 < last) prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t16);
     const prt__vec t17 = (x + y) * (x - y);
-    prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t17);
+    if (first <= 20 && 20 < last) prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t17);
     const prt__vec t18 = PRT__R(1.44530572132027702769) * z;
-    prt__vec_store(out + 10 * stride, t16 * t18);
-    prt__vec_store(out + 14 * stride, t17 * t18);
+    if (first <= 21 && 21 < last) prt__vec_store(out + 10 * stride, t16 * t18);
+    if (first <= 22 && 22 < last) prt__vec_store(out + 14 * stride, t17 * t18);
     const prt__vec t19 = PRT__R(3.31161143515146006332) * t1 - PRT__R(0.473087347878780009046);
-    prt__vec_store(out + 18 * stride, t16 * t19);
-    prt__vec_store(out + 22 * stride, t17 * t19);
+    if (first <= 23 && 23 < last) prt__vec_store(out + 18 * stride, t16 * t19);
+    if (first <= 24 && 24 < last) prt__vec_store(out + 22 * stride, t17 * t19);
     const prt__vec t20 = PRT__R(7.1903051774599856325) * t1 - PRT__R(2.3967683924866618775);
     const prt__vec t21 = z * t20;
-    prt__vec_store(out + 28 * stride, t16 * t21);
-    prt__vec_store(out + 32 * stride, t17 * t21);
+    if (first <= 25 && 25 < last) prt__vec_store(out + 28 * stride, t16 * t21);
+    if (first <= 26 && 26 < last) prt__vec_store(out + 32 * stride, t17 * t21);
     const prt__vec t22 = PRT__R(1.38599481613688115647) * t19 - PRT__R(1.19217565770897169497);
     const prt__vec t23 = t19 * t22 - PRT__R(0.413602361414863611859);
-    prt__vec_store(out + 40 * stride, t16 * t23);
-    prt__vec_store(out + 44 * stride, t17 * t23);
+    if (first <= 27 && 27 < last) prt__vec_store(out + 40 * stride, t16 * t23);
+    if (first <= 28 && 28 < last) prt__vec_store(out + 44 * stride, t17 * t23);
     const prt__vec t24 = y * y;
     const prt__vec t25 = t17 + t24;
     const prt__vec t26 = y * (t17 + (t25 + t25));
-    prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * t26);
+    if (first <= 29 && 29 < last) prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * t26);
     const prt__vec t27 = x * (t17 - (t24 + t24));
-    prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * t27);
+    if (first <= 30 && 30 < last) prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * t27);
     const prt__vec t28 = PRT__R(1.77013076977993053104) * z;
-    prt__vec_store(out + 17 * stride, t26 * t28);
-    prt__vec_store(out + 23 * stride, t27 * t28);
+    if (first <= 31 && 31 < last) prt__vec_store(out + 17 * stride, t26 * t28);
+    if (first <= 32 && 32 < last) prt__vec_store(out + 23 * stride, t27 * t28);
     const prt__vec t29 = PRT__R(4.40314469491725348916) * t1 - PRT__R(0.489238299435250387684);
-    prt__vec_store(out + 27 * stride, t26 * t29);
-    prt__vec_store(out + 33 * stride, t27 * t29);
+    if (first <= 33 && 33 < last) prt__vec_store(out + 27 * stride, t26 * t29);
+    if (first <= 34 && 34 < last) prt__vec_store(out + 33 * stride, t27 * t29);
     const prt__vec t30 = PRT__R(10.1332578546641584906) * t1 - PRT__R(2.76361577854477049742);
     const prt__vec t31 = z * t30;
-    prt__vec_store(out + 39 * stride, t26 * t31);
-    prt__vec_store(out + 45 * stride, t27 * t31);
+    if (first <= 35 && 35 < last) prt__vec_store(out + 39 * stride, t26 * t31);
+    if (first <= 36 && 36 < last) prt__vec_store(out + 45 * stride, t27 * t31);
     const prt__vec t32 = t17 * t16;
     const prt__vec t33 = t32 + t32;
-    prt__vec_store(out + 16 * stride, PRT__R(0.625835735449176134587) * t33);
+    if (first <= 37 && 37 < last) prt__vec_store(out + 16 * stride, PRT__R(0.625835735449176134587) * t33);
     const prt__vec t34 = (t17 + t16) * (t17 - t16);
-    prt__vec_store(out + 24 * stride, PRT__R(0.625835735449176134587) * t34);
+    if (first <= 38 && 38 < last) prt__vec_store(out + 24 * stride, PRT__R(0.625835735449176134587) * t34);
     const prt__vec t35 = PRT__R(2.075662314881041279) * z;
-    prt__vec_store(out + 26 * stride, t33 * t35);
-    prt__vec_store(out + 34 * stride, t34 * t35);
+    if (first <= 39 && 39 < last) prt__vec_store(out + 26 * stride, t33 * t35);
+    if (first <= 40 && 40 < last) prt__vec_store(out + 34 * stride, t34 * t35);
     const prt__vec t36 = PRT__R(5.5502139080159657518) * t1 - PRT__R(0.504564900728724159254);
-    prt__vec_store(out + 38 * stride, t33 * t36);
-    prt__vec_store(out + 46 * stride, t34 * t36);
+    if (first <= 41 && 41 < last) prt__vec_store(out + 38 * stride, t33 * t36);
+    if (first <= 42 && 42 < last) prt__vec_store(out + 46 * stride, t34 * t36);
     const prt__vec t37 = y * t34 + x * t33;
-    prt__vec_store(out + 25 * stride, PRT__R(0.656382056840170102814) * t37);
+    if (first <= 43 && 43 < last) prt__vec_store(out + 25 * stride, PRT__R(0.656382056840170102814) * t37);
     const prt__vec t38 = x * t34 - y * t33;
-    prt__vec_store(out + 35 * stride, PRT__R(0.656382056840170102814) * t38);
+    if (first <= 44 && 44 < last) prt__vec_store(out + 35 * stride, PRT__R(0.656382056840170102814) * t38);
     const prt__vec t39 = PRT__R(2.36661916223175203199) * z;
-    prt__vec_store(out + 37 * stride, t37 * t39);
-    prt__vec_store(out + 47 * stride, t38 * t39);
+    if (first <= 45 && 45 < last) prt__vec_store(out + 37 * stride, t37 * t39);
+    if (first <= 46 && 46 < last) prt__vec_store(out + 47 * stride, t38 * t39);
     const prt__vec t40 = t27 * t26;
-    prt__vec_store(out + 36 * stride, PRT__R(0.683184105191914321975) * (t40 + t40));
-    prt__vec_store(out + 48 * stride, PRT__R(0.683184105191914321975) * ((t27 + t26) * (t27 - t26)));
+    if (first <= 47 && 47 < last) prt__vec_store(out + 36 * stride, PRT__R(0.683184105191914321975) * (t40 + t40));
+    if (first <= 48 && 48 < last)
+        prt__vec_store(out + 48 * stride, PRT__R(0.683184105191914321975) * ((t27 + t26) * (t27 - t26)));
+}
+
+PRT__STATIC void prt__sh_eval_7_v(int vectors, const prt_real *x, const prt_real *y, const prt_real *z,
+    prt_real *PRT__RESTRICT out, size_t stride) {
+    int k;
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_7_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 0, 7);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_7_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 7, 14);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_7_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 14, 21);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_7_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 21, 28);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_7_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 28, 35);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_7_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 35, 42);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_7_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 42, 49);
 }
 
 /* SH basis, 8 bands: 123 multiplications, 43 additions (29 can fuse), 64 stores */
@@ -1931,122 +2102,147 @@ PRT__STATIC void prt__sh_eval_8(prt_real x, prt_real y, prt_real z, prt_real *PR
 }
 
 /* SH basis, 8 bands: 123 multiplications, 43 additions (29 can fuse), 64 stores */
-PRT__STATIC void prt__sh_eval_8_v(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, size_t stride) {
-    prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
-    prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
+PRT__INLINE void prt__sh_eval_8_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out,
+    size_t stride, int first, int last) {
+    if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+    if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
     const prt__vec t1 = z * z;
     const prt__vec t2 = PRT__R(0.946174695757560018093) * t1 - PRT__R(0.315391565252520006031);
-    prt__vec_store(out + 6 * stride, t2);
+    if (first <= 2 && 2 < last) prt__vec_store(out + 6 * stride, t2);
     const prt__vec t3 = PRT__R(1.86588166295057695707) * t1 - PRT__R(1.11952899777034617424);
     const prt__vec t4 = z * t3;
-    prt__vec_store(out + 12 * stride, t4);
+    if (first <= 3 && 3 < last) prt__vec_store(out + 12 * stride, t4);
     const prt__vec t5 = PRT__R(4.13572565211287073036) * t2 - PRT__R(0.745355992499929898803);
     const prt__vec t6 = t2 * t5 - PRT__R(0.329110590402857834053);
-    prt__vec_store(out + 20 * stride, t6);
+    if (first <= 4 && 4 < last) prt__vec_store(out + 20 * stride, t6);
     const prt__vec t7 = PRT__R(1.98997487421323990947) * (z * t6) - PRT__R(1.00285307284481394976) * t4;
-    prt__vec_store(out + 30 * stride, t7);
+    if (first <= 5 && 5 < last) prt__vec_store(out + 30 * stride, t7);
     const prt__vec t8 = PRT__R(1.99304345718356633685) * (z * t7) - PRT__R(1.00154202096221924809) * t6;
-    prt__vec_store(out + 42 * stride, t8);
-    prt__vec_store(out + 56 * stride, PRT__R(1.99489143482413445284) * (z * t8) - PRT__R(1.00092721392195810546) * t7);
-    prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
-    prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
+    if (first <= 6 && 6 < last) prt__vec_store(out + 42 * stride, t8);
+    if (first <= 7 && 7 < last)
+        prt__vec_store(out + 56 * stride, PRT__R(1.99489143482413445284) * (z * t8) - PRT__R(1.00092721392195810546) * t7);
+    if (first <= 8 && 8 < last) prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
+    if (first <= 9 && 9 < last) prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
     const prt__vec t9 = PRT__R(1.09254843059207907054) * z;
-    prt__vec_store(out + 5 * stride, y * t9);
-    prt__vec_store(out + 7 * stride, x * t9);
+    if (first <= 10 && 10 < last) prt__vec_store(out + 5 * stride, y * t9);
+    if (first <= 11 && 11 < last) prt__vec_store(out + 7 * stride, x * t9);
     const prt__vec t10 = PRT__R(2.28522899732232868079) * t1 - PRT__R(0.457045799464465736158);
-    prt__vec_store(out + 11 * stride, y * t10);
-    prt__vec_store(out + 13 * stride, x * t10);
+    if (first <= 12 && 12 < last) prt__vec_store(out + 11 * stride, y * t10);
+    if (first <= 13 && 13 < last) prt__vec_store(out + 13 * stride, x * t10);
     const prt__vec t11 = PRT__R(4.68332580490102417566) * t1 - PRT__R(2.00713963067186750386);
     const prt__vec t12 = z * t11;
-    prt__vec_store(out + 19 * stride, y * t12);
-    prt__vec_store(out + 21 * stride, x * t12);
+    if (first <= 14 && 14 < last) prt__vec_store(out + 19 * stride, y * t12);
+    if (first <= 15 && 15 < last) prt__vec_store(out + 21 * stride, x * t12);
     const prt__vec t13 = PRT__R(1.82140655598655998134) * t10 - PRT__R(1.10995495404092863574);
     const prt__vec t14 = t10 * t13 - PRT__R(0.434828785147869044447);
-    prt__vec_store(out + 29 * stride, y * t14);
-    prt__vec_store(out + 31 * stride, x * t14);
+    if (first <= 16 && 16 < last) prt__vec_store(out + 29 * stride, y * t14);
+    if (first <= 17 && 17 < last) prt__vec_store(out + 31 * stride, x * t14);
     const prt__vec t15 = PRT__R(2.02131498923702777609) * (z * t14) - PRT__R(0.995226703056238577025) * t12;
-    prt__vec_store(out + 41 * stride, y * t15);
-    prt__vec_store(out + 43 * stride, x * t15);
+    if (first <= 18 && 18 < last) prt__vec_store(out + 41 * stride, y * t15);
+    if (first <= 19 && 19 < last) prt__vec_store(out + 43 * stride, x * t15);
     const prt__vec t16 = PRT__R(2.01556443707463741309) * (z * t15) - PRT__R(0.997155044021832052319) * t14;
-    prt__vec_store(out + 55 * stride, y * t16);
-    prt__vec_store(out + 57 * stride, x * t16);
+    if (first <= 20 && 20 < last) prt__vec_store(out + 55 * stride, y * t16);
+    if (first <= 21 && 21 < last) prt__vec_store(out + 57 * stride, x * t16);
     const prt__vec t17 = x * y;
     const prt__vec t18 = t17 + t17;
-    prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t18);
+    if (first <= 22 && 22 < last) prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t18);
     const prt__vec t19 = (x + y) * (x - y);
-    prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t19);
+    if (first <= 23 && 23 < last) prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t19);
     const prt__vec t20 = PRT__R(1.44530572132027702769) * z;
-    prt__vec_store(out + 10 * stride, t18 * t20);
-    prt__vec_store(out + 14 * stride, t19 * t20);
+    if (first <= 24 && 24 < last) prt__vec_store(out + 10 * stride, t18 * t20);
+    if (first <= 25 && 25 < last) prt__vec_store(out + 14 * stride, t19 * t20);
     const prt__vec t21 = PRT__R(3.31161143515146006332) * t1 - PRT__R(0.473087347878780009046);
-    prt__vec_store(out + 18 * stride, t18 * t21);
-    prt__vec_store(out + 22 * stride, t19 * t21);
+    if (first <= 26 && 26 < last) prt__vec_store(out + 18 * stride, t18 * t21);
+    if (first <= 27 && 27 < last) prt__vec_store(out + 22 * stride, t19 * t21);
     const prt__vec t22 = PRT__R(7.1903051774599856325) * t1 - PRT__R(2.3967683924866618775);
     const prt__vec t23 = z * t22;
-    prt__vec_store(out + 28 * stride, t18 * t23);
-    prt__vec_store(out + 32 * stride, t19 * t23);
+    if (first <= 28 && 28 < last) prt__vec_store(out + 28 * stride, t18 * t23);
+    if (first <= 29 && 29 < last) prt__vec_store(out + 32 * stride, t19 * t23);
     const prt__vec t24 = PRT__R(1.38599481613688115647) * t21 - PRT__R(1.19217565770897169497);
     const prt__vec t25 = t21 * t24 - PRT__R(0.413602361414863611859);
-    prt__vec_store(out + 40 * stride, t18 * t25);
-    prt__vec_store(out + 44 * stride, t19 * t25);
+    if (first <= 30 && 30 < last) prt__vec_store(out + 40 * stride, t18 * t25);
+    if (first <= 31 && 31 < last) prt__vec_store(out + 44 * stride, t19 * t25);
     const prt__vec t26 = PRT__R(2.08166599946613273528) * (z * t25) - PRT__R(0.984731927834661861874) * t23;
-    prt__vec_store(out + 54 * stride, t18 * t26);
-    prt__vec_store(out + 58 * stride, t19 * t26);
+    if (first <= 32 && 32 < last) prt__vec_store(out + 54 * stride, t18 * t26);
+    if (first <= 33 && 33 < last) prt__vec_store(out + 58 * stride, t19 * t26);
     const prt__vec t27 = y * y;
     const prt__vec t28 = t19 + t27;
     const prt__vec t29 = y * (t19 + (t28 + t28));
-    prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * t29);
+    if (first <= 34 && 34 < last) prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * t29);
     const prt__vec t30 = x * (t19 - (t27 + t27));
-    prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * t30);
+    if (first <= 35 && 35 < last) prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * t30);
     const prt__vec t31 = PRT__R(1.77013076977993053104) * z;
-    prt__vec_store(out + 17 * stride, t29 * t31);
-    prt__vec_store(out + 23 * stride, t30 * t31);
+    if (first <= 36 && 36 < last) prt__vec_store(out + 17 * stride, t29 * t31);
+    if (first <= 37 && 37 < last) prt__vec_store(out + 23 * stride, t30 * t31);
     const prt__vec t32 = PRT__R(4.40314469491725348916) * t1 - PRT__R(0.489238299435250387684);
-    prt__vec_store(out + 27 * stride, t29 * t32);
-    prt__vec_store(out + 33 * stride, t30 * t32);
+    if (first <= 38 && 38 < last) prt__vec_store(out + 27 * stride, t29 * t32);
+    if (first <= 39 && 39 < last) prt__vec_store(out + 33 * stride, t30 * t32);
     const prt__vec t33 = PRT__R(10.1332578546641584906) * t1 - PRT__R(2.76361577854477049742);
     const prt__vec t34 = z * t33;
-    prt__vec_store(out + 39 * stride, t29 * t34);
-    prt__vec_store(out + 45 * stride, t30 * t34);
+    if (first <= 40 && 40 < last) prt__vec_store(out + 39 * stride, t29 * t34);
+    if (first <= 41 && 41 < last) prt__vec_store(out + 45 * stride, t30 * t34);
     const prt__vec t35 = PRT__R(1.15401243699174093424) * t32 - PRT__R(1.21603371550977803267);
     const prt__vec t36 = t32 * t35 - PRT__R(0.401771089424162456772);
-    prt__vec_store(out + 53 * stride, t29 * t36);
-    prt__vec_store(out + 59 * stride, t30 * t36);
+    if (first <= 42 && 42 < last) prt__vec_store(out + 53 * stride, t29 * t36);
+    if (first <= 43 && 43 < last) prt__vec_store(out + 59 * stride, t30 * t36);
     const prt__vec t37 = t19 * t18;
     const prt__vec t38 = t37 + t37;
-    prt__vec_store(out + 16 * stride, PRT__R(0.625835735449176134587) * t38);
+    if (first <= 44 && 44 < last) prt__vec_store(out + 16 * stride, PRT__R(0.625835735449176134587) * t38);
     const prt__vec t39 = (t19 + t18) * (t19 - t18);
-    prt__vec_store(out + 24 * stride, PRT__R(0.625835735449176134587) * t39);
+    if (first <= 45 && 45 < last) prt__vec_store(out + 24 * stride, PRT__R(0.625835735449176134587) * t39);
     const prt__vec t40 = PRT__R(2.075662314881041279) * z;
-    prt__vec_store(out + 26 * stride, t38 * t40);
-    prt__vec_store(out + 34 * stride, t39 * t40);
+    if (first <= 46 && 46 < last) prt__vec_store(out + 26 * stride, t38 * t40);
+    if (first <= 47 && 47 < last) prt__vec_store(out + 34 * stride, t39 * t40);
     const prt__vec t41 = PRT__R(5.5502139080159657518) * t1 - PRT__R(0.504564900728724159254);
-    prt__vec_store(out + 38 * stride, t38 * t41);
-    prt__vec_store(out + 46 * stride, t39 * t41);
+    if (first <= 48 && 48 < last) prt__vec_store(out + 38 * stride, t38 * t41);
+    if (first <= 49 && 49 < last) prt__vec_store(out + 46 * stride, t39 * t41);
     const prt__vec t42 = PRT__R(13.4918050467267683135) * t1 - PRT__R(3.11349347232156191849);
     const prt__vec t43 = z * t42;
-    prt__vec_store(out + 52 * stride, t38 * t43);
-    prt__vec_store(out + 60 * stride, t39 * t43);
+    if (first <= 50 && 50 < last) prt__vec_store(out + 52 * stride, t38 * t43);
+    if (first <= 51 && 51 < last) prt__vec_store(out + 60 * stride, t39 * t43);
     const prt__vec t44 = y * t39 + x * t38;
-    prt__vec_store(out + 25 * stride, PRT__R(0.656382056840170102814) * t44);
+    if (first <= 52 && 52 < last) prt__vec_store(out + 25 * stride, PRT__R(0.656382056840170102814) * t44);
     const prt__vec t45 = x * t39 - y * t38;
-    prt__vec_store(out + 35 * stride, PRT__R(0.656382056840170102814) * t45);
+    if (first <= 53 && 53 < last) prt__vec_store(out + 35 * stride, PRT__R(0.656382056840170102814) * t45);
     const prt__vec t46 = PRT__R(2.36661916223175203199) * z;
-    prt__vec_store(out + 37 * stride, t44 * t46);
-    prt__vec_store(out + 47 * stride, t45 * t46);
+    if (first <= 54 && 54 < last) prt__vec_store(out + 37 * stride, t44 * t46);
+    if (first <= 55 && 55 < last) prt__vec_store(out + 47 * stride, t45 * t46);
     const prt__vec t47 = PRT__R(6.74590252336338415674) * t1 - PRT__R(0.518915578720260319749);
-    prt__vec_store(out + 51 * stride, t44 * t47);
-    prt__vec_store(out + 61 * stride, t45 * t47);
+    if (first <= 56 && 56 < last) prt__vec_store(out + 51 * stride, t44 * t47);
+    if (first <= 57 && 57 < last) prt__vec_store(out + 61 * stride, t45 * t47);
     const prt__vec t48 = t30 * t29;
     const prt__vec t49 = t48 + t48;
-    prt__vec_store(out + 36 * stride, PRT__R(0.683184105191914321975) * t49);
+    if (first <= 58 && 58 < last) prt__vec_store(out + 36 * stride, PRT__R(0.683184105191914321975) * t49);
     const prt__vec t50 = (t30 + t29) * (t30 - t29);
-    prt__vec_store(out + 48 * stride, PRT__R(0.683184105191914321975) * t50);
+    if (first <= 59 && 59 < last) prt__vec_store(out + 48 * stride, PRT__R(0.683184105191914321975) * t50);
     const prt__vec t51 = PRT__R(2.64596066180190022197) * z;
-    prt__vec_store(out + 50 * stride, t49 * t51);
-    prt__vec_store(out + 62 * stride, t50 * t51);
-    prt__vec_store(out + 49 * stride, PRT__R(0.707162732524596178226) * (y * t50 + x * t49));
-    prt__vec_store(out + 63 * stride, PRT__R(0.707162732524596178226) * (x * t50 - y * t49));
+    if (first <= 60 && 60 < last) prt__vec_store(out + 50 * stride, t49 * t51);
+    if (first <= 61 && 61 < last) prt__vec_store(out + 62 * stride, t50 * t51);
+    if (first <= 62 && 62 < last)
+        prt__vec_store(out + 49 * stride, PRT__R(0.707162732524596178226) * (y * t50 + x * t49));
+    if (first <= 63 && 63 < last)
+        prt__vec_store(out + 63 * stride, PRT__R(0.707162732524596178226) * (x * t50 - y * t49));
+}
+
+PRT__STATIC void prt__sh_eval_8_v(int vectors, const prt_real *x, const prt_real *y, const prt_real *z,
+    prt_real *PRT__RESTRICT out, size_t stride) {
+    int k;
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_8_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 0, 8);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_8_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 8, 16);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_8_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 16, 24);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_8_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 24, 32);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_8_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 32, 40);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_8_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 40, 48);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_8_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 48, 56);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_8_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 56, 64);
 }
 
 /* SH basis, 9 bands: 159 multiplications, 54 additions (37 can fuse), 81 stores */
@@ -2199,152 +2395,182 @@ PRT__STATIC void prt__sh_eval_9(prt_real x, prt_real y, prt_real z, prt_real *PR
 }
 
 /* SH basis, 9 bands: 159 multiplications, 54 additions (37 can fuse), 81 stores */
-PRT__STATIC void prt__sh_eval_9_v(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, size_t stride) {
-    prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
-    prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
+PRT__INLINE void prt__sh_eval_9_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out,
+    size_t stride, int first, int last) {
+    if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+    if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
     const prt__vec t1 = z * z;
     const prt__vec t2 = PRT__R(0.946174695757560018093) * t1 - PRT__R(0.315391565252520006031);
-    prt__vec_store(out + 6 * stride, t2);
+    if (first <= 2 && 2 < last) prt__vec_store(out + 6 * stride, t2);
     const prt__vec t3 = PRT__R(1.86588166295057695707) * t1 - PRT__R(1.11952899777034617424);
     const prt__vec t4 = z * t3;
-    prt__vec_store(out + 12 * stride, t4);
+    if (first <= 3 && 3 < last) prt__vec_store(out + 12 * stride, t4);
     const prt__vec t5 = PRT__R(4.13572565211287073036) * t2 - PRT__R(0.745355992499929898803);
     const prt__vec t6 = t2 * t5 - PRT__R(0.329110590402857834053);
-    prt__vec_store(out + 20 * stride, t6);
+    if (first <= 4 && 4 < last) prt__vec_store(out + 20 * stride, t6);
     const prt__vec t7 = PRT__R(1.98997487421323990947) * (z * t6) - PRT__R(1.00285307284481394976) * t4;
-    prt__vec_store(out + 30 * stride, t7);
+    if (first <= 5 && 5 < last) prt__vec_store(out + 30 * stride, t7);
     const prt__vec t8 = PRT__R(1.99304345718356633685) * (z * t7) - PRT__R(1.00154202096221924809) * t6;
-    prt__vec_store(out + 42 * stride, t8);
+    if (first <= 6 && 6 < last) prt__vec_store(out + 42 * stride, t8);
     const prt__vec t9 = PRT__R(1.99489143482413445284) * (z * t8) - PRT__R(1.00092721392195810546) * t7;
-    prt__vec_store(out + 56 * stride, t9);
-    prt__vec_store(out + 72 * stride, PRT__R(1.99608992783391399988) * (z * t9) - PRT__R(1.00060078106951479479) * t8);
-    prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
-    prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
+    if (first <= 7 && 7 < last) prt__vec_store(out + 56 * stride, t9);
+    if (first <= 8 && 8 < last)
+        prt__vec_store(out + 72 * stride, PRT__R(1.99608992783391399988) * (z * t9) - PRT__R(1.00060078106951479479) * t8);
+    if (first <= 9 && 9 < last) prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
+    if (first <= 10 && 10 < last) prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
     const prt__vec t10 = PRT__R(1.09254843059207907054) * z;
-    prt__vec_store(out + 5 * stride, y * t10);
-    prt__vec_store(out + 7 * stride, x * t10);
+    if (first <= 11 && 11 < last) prt__vec_store(out + 5 * stride, y * t10);
+    if (first <= 12 && 12 < last) prt__vec_store(out + 7 * stride, x * t10);
     const prt__vec t11 = PRT__R(2.28522899732232868079) * t1 - PRT__R(0.457045799464465736158);
-    prt__vec_store(out + 11 * stride, y * t11);
-    prt__vec_store(out + 13 * stride, x * t11);
+    if (first <= 13 && 13 < last) prt__vec_store(out + 11 * stride, y * t11);
+    if (first <= 14 && 14 < last) prt__vec_store(out + 13 * stride, x * t11);
     const prt__vec t12 = PRT__R(4.68332580490102417566) * t1 - PRT__R(2.00713963067186750386);
     const prt__vec t13 = z * t12;
-    prt__vec_store(out + 19 * stride, y * t13);
-    prt__vec_store(out + 21 * stride, x * t13);
+    if (first <= 15 && 15 < last) prt__vec_store(out + 19 * stride, y * t13);
+    if (first <= 16 && 16 < last) prt__vec_store(out + 21 * stride, x * t13);
     const prt__vec t14 = PRT__R(1.82140655598655998134) * t11 - PRT__R(1.10995495404092863574);
     const prt__vec t15 = t11 * t14 - PRT__R(0.434828785147869044447);
-    prt__vec_store(out + 29 * stride, y * t15);
-    prt__vec_store(out + 31 * stride, x * t15);
+    if (first <= 17 && 17 < last) prt__vec_store(out + 29 * stride, y * t15);
+    if (first <= 18 && 18 < last) prt__vec_store(out + 31 * stride, x * t15);
     const prt__vec t16 = PRT__R(2.02131498923702777609) * (z * t15) - PRT__R(0.995226703056238577025) * t13;
-    prt__vec_store(out + 41 * stride, y * t16);
-    prt__vec_store(out + 43 * stride, x * t16);
+    if (first <= 19 && 19 < last) prt__vec_store(out + 41 * stride, y * t16);
+    if (first <= 20 && 20 < last) prt__vec_store(out + 43 * stride, x * t16);
     const prt__vec t17 = PRT__R(2.01556443707463741309) * (z * t16) - PRT__R(0.997155044021832052319) * t15;
-    prt__vec_store(out + 55 * stride, y * t17);
-    prt__vec_store(out + 57 * stride, x * t17);
+    if (first <= 21 && 21 < last) prt__vec_store(out + 55 * stride, y * t17);
+    if (first <= 22 && 22 < last) prt__vec_store(out + 57 * stride, x * t17);
     const prt__vec t18 = PRT__R(2.01186954040739123146) * (z * t17) - PRT__R(0.998166817890174275952) * t16;
-    prt__vec_store(out + 71 * stride, y * t18);
-    prt__vec_store(out + 73 * stride, x * t18);
+    if (first <= 23 && 23 < last) prt__vec_store(out + 71 * stride, y * t18);
+    if (first <= 24 && 24 < last) prt__vec_store(out + 73 * stride, x * t18);
     const prt__vec t19 = x * y;
     const prt__vec t20 = t19 + t19;
-    prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t20);
+    if (first <= 25 && 25 < last) prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t20);
     const prt__vec t21 = (x + y) * (x - y);
-    prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t21);
+    if (first <= 26 && 26 < last) prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t21);
     const prt__vec t22 = PRT__R(1.44530572132027702769) * z;
-    prt__vec_store(out + 10 * stride, t20 * t22);
-    prt__vec_store(out + 14 * stride, t21 * t22);
+    if (first <= 27 && 27 < last) prt__vec_store(out + 10 * stride, t20 * t22);
+    if (first <= 28 && 28 < last) prt__vec_store(out + 14 * stride, t21 * t22);
     const prt__vec t23 = PRT__R(3.31161143515146006332) * t1 - PRT__R(0.473087347878780009046);
-    prt__vec_store(out + 18 * stride, t20 * t23);
-    prt__vec_store(out + 22 * stride, t21 * t23);
+    if (first <= 29 && 29 < last) prt__vec_store(out + 18 * stride, t20 * t23);
+    if (first <= 30 && 30 < last) prt__vec_store(out + 22 * stride, t21 * t23);
     const prt__vec t24 = PRT__R(7.1903051774599856325) * t1 - PRT__R(2.3967683924866618775);
     const prt__vec t25 = z * t24;
-    prt__vec_store(out + 28 * stride, t20 * t25);
-    prt__vec_store(out + 32 * stride, t21 * t25);
+    if (first <= 31 && 31 < last) prt__vec_store(out + 28 * stride, t20 * t25);
+    if (first <= 32 && 32 < last) prt__vec_store(out + 32 * stride, t21 * t25);
     const prt__vec t26 = PRT__R(1.38599481613688115647) * t23 - PRT__R(1.19217565770897169497);
     const prt__vec t27 = t23 * t26 - PRT__R(0.413602361414863611859);
-    prt__vec_store(out + 40 * stride, t20 * t27);
-    prt__vec_store(out + 44 * stride, t21 * t27);
+    if (first <= 33 && 33 < last) prt__vec_store(out + 40 * stride, t20 * t27);
+    if (first <= 34 && 34 < last) prt__vec_store(out + 44 * stride, t21 * t27);
     const prt__vec t28 = PRT__R(2.08166599946613273528) * (z * t27) - PRT__R(0.984731927834661861874) * t25;
-    prt__vec_store(out + 54 * stride, t20 * t28);
-    prt__vec_store(out + 58 * stride, t21 * t28);
+    if (first <= 35 && 35 < last) prt__vec_store(out + 54 * stride, t20 * t28);
+    if (first <= 36 && 36 < last) prt__vec_store(out + 58 * stride, t21 * t28);
     const prt__vec t29 = PRT__R(2.06155281280883027491) * (z * t28) - PRT__R(0.990337937660287135802) * t27;
-    prt__vec_store(out + 70 * stride, t20 * t29);
-    prt__vec_store(out + 74 * stride, t21 * t29);
+    if (first <= 37 && 37 < last) prt__vec_store(out + 70 * stride, t20 * t29);
+    if (first <= 38 && 38 < last) prt__vec_store(out + 74 * stride, t21 * t29);
     const prt__vec t30 = y * y;
     const prt__vec t31 = t21 + t30;
     const prt__vec t32 = y * (t21 + (t31 + t31));
-    prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * t32);
+    if (first <= 39 && 39 < last) prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * t32);
     const prt__vec t33 = x * (t21 - (t30 + t30));
-    prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * t33);
+    if (first <= 40 && 40 < last) prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * t33);
     const prt__vec t34 = PRT__R(1.77013076977993053104) * z;
-    prt__vec_store(out + 17 * stride, t32 * t34);
-    prt__vec_store(out + 23 * stride, t33 * t34);
+    if (first <= 41 && 41 < last) prt__vec_store(out + 17 * stride, t32 * t34);
+    if (first <= 42 && 42 < last) prt__vec_store(out + 23 * stride, t33 * t34);
     const prt__vec t35 = PRT__R(4.40314469491725348916) * t1 - PRT__R(0.489238299435250387684);
-    prt__vec_store(out + 27 * stride, t32 * t35);
-    prt__vec_store(out + 33 * stride, t33 * t35);
+    if (first <= 43 && 43 < last) prt__vec_store(out + 27 * stride, t32 * t35);
+    if (first <= 44 && 44 < last) prt__vec_store(out + 33 * stride, t33 * t35);
     const prt__vec t36 = PRT__R(10.1332578546641584906) * t1 - PRT__R(2.76361577854477049742);
     const prt__vec t37 = z * t36;
-    prt__vec_store(out + 39 * stride, t32 * t37);
-    prt__vec_store(out + 45 * stride, t33 * t37);
+    if (first <= 45 && 45 < last) prt__vec_store(out + 39 * stride, t32 * t37);
+    if (first <= 46 && 46 < last) prt__vec_store(out + 45 * stride, t33 * t37);
     const prt__vec t38 = PRT__R(1.15401243699174093424) * t35 - PRT__R(1.21603371550977803267);
     const prt__vec t39 = t35 * t38 - PRT__R(0.401771089424162456772);
-    prt__vec_store(out + 53 * stride, t32 * t39);
-    prt__vec_store(out + 59 * stride, t33 * t39);
+    if (first <= 47 && 47 < last) prt__vec_store(out + 53 * stride, t32 * t39);
+    if (first <= 48 && 48 < last) prt__vec_store(out + 59 * stride, t33 * t39);
     const prt__vec t40 = PRT__R(2.15322168769582022424) * (z * t39) - PRT__R(0.975217386560017729543) * t37;
-    prt__vec_store(out + 69 * stride, t32 * t40);
-    prt__vec_store(out + 75 * stride, t33 * t40);
+    if (first <= 49 && 49 < last) prt__vec_store(out + 69 * stride, t32 * t40);
+    if (first <= 50 && 50 < last) prt__vec_store(out + 75 * stride, t33 * t40);
     const prt__vec t41 = t21 * t20;
     const prt__vec t42 = t41 + t41;
-    prt__vec_store(out + 16 * stride, PRT__R(0.625835735449176134587) * t42);
+    if (first <= 51 && 51 < last) prt__vec_store(out + 16 * stride, PRT__R(0.625835735449176134587) * t42);
     const prt__vec t43 = (t21 + t20) * (t21 - t20);
-    prt__vec_store(out + 24 * stride, PRT__R(0.625835735449176134587) * t43);
+    if (first <= 52 && 52 < last) prt__vec_store(out + 24 * stride, PRT__R(0.625835735449176134587) * t43);
     const prt__vec t44 = PRT__R(2.075662314881041279) * z;
-    prt__vec_store(out + 26 * stride, t42 * t44);
-    prt__vec_store(out + 34 * stride, t43 * t44);
+    if (first <= 53 && 53 < last) prt__vec_store(out + 26 * stride, t42 * t44);
+    if (first <= 54 && 54 < last) prt__vec_store(out + 34 * stride, t43 * t44);
     const prt__vec t45 = PRT__R(5.5502139080159657518) * t1 - PRT__R(0.504564900728724159254);
-    prt__vec_store(out + 38 * stride, t42 * t45);
-    prt__vec_store(out + 46 * stride, t43 * t45);
+    if (first <= 55 && 55 < last) prt__vec_store(out + 38 * stride, t42 * t45);
+    if (first <= 56 && 56 < last) prt__vec_store(out + 46 * stride, t43 * t45);
     const prt__vec t46 = PRT__R(13.4918050467267683135) * t1 - PRT__R(3.11349347232156191849);
     const prt__vec t47 = z * t46;
-    prt__vec_store(out + 52 * stride, t42 * t47);
-    prt__vec_store(out + 60 * stride, t43 * t47);
+    if (first <= 57 && 57 < last) prt__vec_store(out + 52 * stride, t42 * t47);
+    if (first <= 58 && 58 < last) prt__vec_store(out + 60 * stride, t43 * t47);
     const prt__vec t48 = PRT__R(1.0094855015668566765) * t45 - PRT__R(1.22244228452440165368);
     const prt__vec t49 = t45 * t48 - PRT__R(0.395385557652339419216);
-    prt__vec_store(out + 68 * stride, t42 * t49);
-    prt__vec_store(out + 76 * stride, t43 * t49);
+    if (first <= 59 && 59 < last) prt__vec_store(out + 68 * stride, t42 * t49);
+    if (first <= 60 && 60 < last) prt__vec_store(out + 76 * stride, t43 * t49);
     const prt__vec t50 = y * t43 + x * t42;
-    prt__vec_store(out + 25 * stride, PRT__R(0.656382056840170102814) * t50);
+    if (first <= 61 && 61 < last) prt__vec_store(out + 25 * stride, PRT__R(0.656382056840170102814) * t50);
     const prt__vec t51 = x * t43 - y * t42;
-    prt__vec_store(out + 35 * stride, PRT__R(0.656382056840170102814) * t51);
+    if (first <= 62 && 62 < last) prt__vec_store(out + 35 * stride, PRT__R(0.656382056840170102814) * t51);
     const prt__vec t52 = PRT__R(2.36661916223175203199) * z;
-    prt__vec_store(out + 37 * stride, t50 * t52);
-    prt__vec_store(out + 47 * stride, t51 * t52);
+    if (first <= 63 && 63 < last) prt__vec_store(out + 37 * stride, t50 * t52);
+    if (first <= 64 && 64 < last) prt__vec_store(out + 47 * stride, t51 * t52);
     const prt__vec t53 = PRT__R(6.74590252336338415674) * t1 - PRT__R(0.518915578720260319749);
-    prt__vec_store(out + 51 * stride, t50 * t53);
-    prt__vec_store(out + 61 * stride, t51 * t53);
+    if (first <= 65 && 65 < last) prt__vec_store(out + 51 * stride, t50 * t53);
+    if (first <= 66 && 66 < last) prt__vec_store(out + 61 * stride, t51 * t53);
     const prt__vec t54 = PRT__R(17.2495531104905400876) * t1 - PRT__R(3.44991062209810801752);
     const prt__vec t55 = z * t54;
-    prt__vec_store(out + 67 * stride, t50 * t55);
-    prt__vec_store(out + 77 * stride, t51 * t55);
+    if (first <= 67 && 67 < last) prt__vec_store(out + 67 * stride, t50 * t55);
+    if (first <= 68 && 68 < last) prt__vec_store(out + 77 * stride, t51 * t55);
     const prt__vec t56 = t33 * t32;
     const prt__vec t57 = t56 + t56;
-    prt__vec_store(out + 36 * stride, PRT__R(0.683184105191914321975) * t57);
+    if (first <= 69 && 69 < last) prt__vec_store(out + 36 * stride, PRT__R(0.683184105191914321975) * t57);
     const prt__vec t58 = (t33 + t32) * (t33 - t32);
-    prt__vec_store(out + 48 * stride, PRT__R(0.683184105191914321975) * t58);
+    if (first <= 70 && 70 < last) prt__vec_store(out + 48 * stride, PRT__R(0.683184105191914321975) * t58);
     const prt__vec t59 = PRT__R(2.64596066180190022197) * z;
-    prt__vec_store(out + 50 * stride, t57 * t59);
-    prt__vec_store(out + 62 * stride, t58 * t59);
+    if (first <= 71 && 71 < last) prt__vec_store(out + 50 * stride, t57 * t59);
+    if (first <= 72 && 72 < last) prt__vec_store(out + 62 * stride, t58 * t59);
     const prt__vec t60 = PRT__R(7.98499149089313861467) * t1 - PRT__R(0.532332766059542574311);
-    prt__vec_store(out + 66 * stride, t57 * t60);
-    prt__vec_store(out + 78 * stride, t58 * t60);
+    if (first <= 73 && 73 < last) prt__vec_store(out + 66 * stride, t57 * t60);
+    if (first <= 74 && 74 < last) prt__vec_store(out + 78 * stride, t58 * t60);
     const prt__vec t61 = y * t58 + x * t57;
-    prt__vec_store(out + 49 * stride, PRT__R(0.707162732524596178226) * t61);
+    if (first <= 75 && 75 < last) prt__vec_store(out + 49 * stride, PRT__R(0.707162732524596178226) * t61);
     const prt__vec t62 = x * t58 - y * t57;
-    prt__vec_store(out + 63 * stride, PRT__R(0.707162732524596178226) * t62);
+    if (first <= 76 && 76 < last) prt__vec_store(out + 63 * stride, PRT__R(0.707162732524596178226) * t62);
     const prt__vec t63 = PRT__R(2.91570664069931947548) * z;
-    prt__vec_store(out + 65 * stride, t61 * t63);
-    prt__vec_store(out + 79 * stride, t62 * t63);
+    if (first <= 77 && 77 < last) prt__vec_store(out + 65 * stride, t61 * t63);
+    if (first <= 78 && 78 < last) prt__vec_store(out + 79 * stride, t62 * t63);
     const prt__vec t64 = t43 * t42;
-    prt__vec_store(out + 64 * stride, PRT__R(0.72892666017482986887) * (t64 + t64));
-    prt__vec_store(out + 80 * stride, PRT__R(0.72892666017482986887) * ((t43 + t42) * (t43 - t42)));
+    if (first <= 79 && 79 < last) prt__vec_store(out + 64 * stride, PRT__R(0.72892666017482986887) * (t64 + t64));
+    if (first <= 80 && 80 < last)
+        prt__vec_store(out + 80 * stride, PRT__R(0.72892666017482986887) * ((t43 + t42) * (t43 - t42)));
+}
+
+PRT__STATIC void prt__sh_eval_9_v(int vectors, const prt_real *x, const prt_real *y, const prt_real *z,
+    prt_real *PRT__RESTRICT out, size_t stride) {
+    int k;
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_9_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 0, 8);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_9_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 8, 16);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_9_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 16, 24);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_9_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 24, 32);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_9_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 32, 40);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_9_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 40, 48);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_9_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 48, 56);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_9_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 56, 64);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_9_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 64, 72);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_9_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 72, 80);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_9_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 80, 81);
 }
 
 /* SH basis, 10 bands: 202 multiplications, 65 additions (48 can fuse), 100 stores */
@@ -2529,184 +2755,691 @@ PRT__STATIC void prt__sh_eval_10(prt_real x, prt_real y, prt_real z, prt_real *P
 }
 
 /* SH basis, 10 bands: 202 multiplications, 65 additions (48 can fuse), 100 stores */
-PRT__STATIC void prt__sh_eval_10_v(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, size_t stride) {
-    prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
-    prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
+PRT__INLINE void prt__sh_eval_10_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out,
+    size_t stride, int first, int last) {
+    if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+    if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
     const prt__vec t1 = z * z;
     const prt__vec t2 = PRT__R(0.946174695757560018093) * t1 - PRT__R(0.315391565252520006031);
-    prt__vec_store(out + 6 * stride, t2);
+    if (first <= 2 && 2 < last) prt__vec_store(out + 6 * stride, t2);
     const prt__vec t3 = PRT__R(1.86588166295057695707) * t1 - PRT__R(1.11952899777034617424);
     const prt__vec t4 = z * t3;
-    prt__vec_store(out + 12 * stride, t4);
+    if (first <= 3 && 3 < last) prt__vec_store(out + 12 * stride, t4);
     const prt__vec t5 = PRT__R(4.13572565211287073036) * t2 - PRT__R(0.745355992499929898803);
     const prt__vec t6 = t2 * t5 - PRT__R(0.329110590402857834053);
-    prt__vec_store(out + 20 * stride, t6);
+    if (first <= 4 && 4 < last) prt__vec_store(out + 20 * stride, t6);
     const prt__vec t7 = PRT__R(1.98997487421323990947) * (z * t6) - PRT__R(1.00285307284481394976) * t4;
-    prt__vec_store(out + 30 * stride, t7);
+    if (first <= 5 && 5 < last) prt__vec_store(out + 30 * stride, t7);
     const prt__vec t8 = PRT__R(1.99304345718356633685) * (z * t7) - PRT__R(1.00154202096221924809) * t6;
-    prt__vec_store(out + 42 * stride, t8);
+    if (first <= 6 && 6 < last) prt__vec_store(out + 42 * stride, t8);
     const prt__vec t9 = PRT__R(1.99489143482413445284) * (z * t8) - PRT__R(1.00092721392195810546) * t7;
-    prt__vec_store(out + 56 * stride, t9);
+    if (first <= 7 && 7 < last) prt__vec_store(out + 56 * stride, t9);
     const prt__vec t10 = PRT__R(1.99608992783391399988) * (z * t9) - PRT__R(1.00060078106951479479) * t8;
-    prt__vec_store(out + 72 * stride, t10);
-    prt__vec_store(out + 90 * stride, PRT__R(1.99691119506793649529) * (z * t10) - PRT__R(1.000411437993133759) * t9);
-    prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
-    prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
+    if (first <= 8 && 8 < last) prt__vec_store(out + 72 * stride, t10);
+    if (first <= 9 && 9 < last)
+        prt__vec_store(out + 90 * stride, PRT__R(1.99691119506793649529) * (z * t10) - PRT__R(1.000411437993133759) * t9);
+    if (first <= 10 && 10 < last) prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
+    if (first <= 11 && 11 < last) prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
     const prt__vec t11 = PRT__R(1.09254843059207907054) * z;
-    prt__vec_store(out + 5 * stride, y * t11);
-    prt__vec_store(out + 7 * stride, x * t11);
+    if (first <= 12 && 12 < last) prt__vec_store(out + 5 * stride, y * t11);
+    if (first <= 13 && 13 < last) prt__vec_store(out + 7 * stride, x * t11);
     const prt__vec t12 = PRT__R(2.28522899732232868079) * t1 - PRT__R(0.457045799464465736158);
-    prt__vec_store(out + 11 * stride, y * t12);
-    prt__vec_store(out + 13 * stride, x * t12);
+    if (first <= 14 && 14 < last) prt__vec_store(out + 11 * stride, y * t12);
+    if (first <= 15 && 15 < last) prt__vec_store(out + 13 * stride, x * t12);
     const prt__vec t13 = PRT__R(4.68332580490102417566) * t1 - PRT__R(2.00713963067186750386);
     const prt__vec t14 = z * t13;
-    prt__vec_store(out + 19 * stride, y * t14);
-    prt__vec_store(out + 21 * stride, x * t14);
+    if (first <= 16 && 16 < last) prt__vec_store(out + 19 * stride, y * t14);
+    if (first <= 17 && 17 < last) prt__vec_store(out + 21 * stride, x * t14);
     const prt__vec t15 = PRT__R(1.82140655598655998134) * t12 - PRT__R(1.10995495404092863574);
     const prt__vec t16 = t12 * t15 - PRT__R(0.434828785147869044447);
-    prt__vec_store(out + 29 * stride, y * t16);
-    prt__vec_store(out + 31 * stride, x * t16);
+    if (first <= 18 && 18 < last) prt__vec_store(out + 29 * stride, y * t16);
+    if (first <= 19 && 19 < last) prt__vec_store(out + 31 * stride, x * t16);
     const prt__vec t17 = PRT__R(2.02131498923702777609) * (z * t16) - PRT__R(0.995226703056238577025) * t14;
-    prt__vec_store(out + 41 * stride, y * t17);
-    prt__vec_store(out + 43 * stride, x * t17);
+    if (first <= 20 && 20 < last) prt__vec_store(out + 41 * stride, y * t17);
+    if (first <= 21 && 21 < last) prt__vec_store(out + 43 * stride, x * t17);
     const prt__vec t18 = PRT__R(2.01556443707463741309) * (z * t17) - PRT__R(0.997155044021832052319) * t16;
-    prt__vec_store(out + 55 * stride, y * t18);
-    prt__vec_store(out + 57 * stride, x * t18);
+    if (first <= 22 && 22 < last) prt__vec_store(out + 55 * stride, y * t18);
+    if (first <= 23 && 23 < last) prt__vec_store(out + 57 * stride, x * t18);
     const prt__vec t19 = PRT__R(2.01186954040739123146) * (z * t18) - PRT__R(0.998166817890174275952) * t17;
-    prt__vec_store(out + 71 * stride, y * t19);
-    prt__vec_store(out + 73 * stride, x * t19);
+    if (first <= 24 && 24 < last) prt__vec_store(out + 71 * stride, y * t19);
+    if (first <= 25 && 25 < last) prt__vec_store(out + 73 * stride, x * t19);
     const prt__vec t20 = PRT__R(2.00935312974101194944) * (z * t19) - PRT__R(0.998749217771908945789) * t18;
-    prt__vec_store(out + 89 * stride, y * t20);
-    prt__vec_store(out + 91 * stride, x * t20);
+    if (first <= 26 && 26 < last) prt__vec_store(out + 89 * stride, y * t20);
+    if (first <= 27 && 27 < last) prt__vec_store(out + 91 * stride, x * t20);
     const prt__vec t21 = x * y;
     const prt__vec t22 = t21 + t21;
-    prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t22);
+    if (first <= 28 && 28 < last) prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t22);
     const prt__vec t23 = (x + y) * (x - y);
-    prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t23);
+    if (first <= 29 && 29 < last) prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t23);
     const prt__vec t24 = PRT__R(1.44530572132027702769) * z;
-    prt__vec_store(out + 10 * stride, t22 * t24);
-    prt__vec_store(out + 14 * stride, t23 * t24);
+    if (first <= 30 && 30 < last) prt__vec_store(out + 10 * stride, t22 * t24);
+    if (first <= 31 && 31 < last) prt__vec_store(out + 14 * stride, t23 * t24);
     const prt__vec t25 = PRT__R(3.31161143515146006332) * t1 - PRT__R(0.473087347878780009046);
-    prt__vec_store(out + 18 * stride, t22 * t25);
-    prt__vec_store(out + 22 * stride, t23 * t25);
+    if (first <= 32 && 32 < last) prt__vec_store(out + 18 * stride, t22 * t25);
+    if (first <= 33 && 33 < last) prt__vec_store(out + 22 * stride, t23 * t25);
     const prt__vec t26 = PRT__R(7.1903051774599856325) * t1 - PRT__R(2.3967683924866618775);
     const prt__vec t27 = z * t26;
-    prt__vec_store(out + 28 * stride, t22 * t27);
-    prt__vec_store(out + 32 * stride, t23 * t27);
+    if (first <= 34 && 34 < last) prt__vec_store(out + 28 * stride, t22 * t27);
+    if (first <= 35 && 35 < last) prt__vec_store(out + 32 * stride, t23 * t27);
     const prt__vec t28 = PRT__R(1.38599481613688115647) * t25 - PRT__R(1.19217565770897169497);
     const prt__vec t29 = t25 * t28 - PRT__R(0.413602361414863611859);
-    prt__vec_store(out + 40 * stride, t22 * t29);
-    prt__vec_store(out + 44 * stride, t23 * t29);
+    if (first <= 36 && 36 < last) prt__vec_store(out + 40 * stride, t22 * t29);
+    if (first <= 37 && 37 < last) prt__vec_store(out + 44 * stride, t23 * t29);
     const prt__vec t30 = PRT__R(2.08166599946613273528) * (z * t29) - PRT__R(0.984731927834661861874) * t27;
-    prt__vec_store(out + 54 * stride, t22 * t30);
-    prt__vec_store(out + 58 * stride, t23 * t30);
+    if (first <= 38 && 38 < last) prt__vec_store(out + 54 * stride, t22 * t30);
+    if (first <= 39 && 39 < last) prt__vec_store(out + 58 * stride, t23 * t30);
     const prt__vec t31 = PRT__R(2.06155281280883027491) * (z * t30) - PRT__R(0.990337937660287135802) * t29;
-    prt__vec_store(out + 70 * stride, t22 * t31);
-    prt__vec_store(out + 74 * stride, t23 * t31);
+    if (first <= 40 && 40 < last) prt__vec_store(out + 70 * stride, t22 * t31);
+    if (first <= 41 && 41 < last) prt__vec_store(out + 74 * stride, t23 * t31);
     const prt__vec t32 = PRT__R(2.0481223583578191106) * (z * t31) - PRT__R(0.993485272670404014071) * t30;
-    prt__vec_store(out + 88 * stride, t22 * t32);
-    prt__vec_store(out + 92 * stride, t23 * t32);
+    if (first <= 42 && 42 < last) prt__vec_store(out + 88 * stride, t22 * t32);
+    if (first <= 43 && 43 < last) prt__vec_store(out + 92 * stride, t23 * t32);
     const prt__vec t33 = y * y;
     const prt__vec t34 = t23 + t33;
     const prt__vec t35 = y * (t23 + (t34 + t34));
-    prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * t35);
+    if (first <= 44 && 44 < last) prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * t35);
     const prt__vec t36 = x * (t23 - (t33 + t33));
-    prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * t36);
+    if (first <= 45 && 45 < last) prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * t36);
     const prt__vec t37 = PRT__R(1.77013076977993053104) * z;
-    prt__vec_store(out + 17 * stride, t35 * t37);
-    prt__vec_store(out + 23 * stride, t36 * t37);
+    if (first <= 46 && 46 < last) prt__vec_store(out + 17 * stride, t35 * t37);
+    if (first <= 47 && 47 < last) prt__vec_store(out + 23 * stride, t36 * t37);
     const prt__vec t38 = PRT__R(4.40314469491725348916) * t1 - PRT__R(0.489238299435250387684);
-    prt__vec_store(out + 27 * stride, t35 * t38);
-    prt__vec_store(out + 33 * stride, t36 * t38);
+    if (first <= 48 && 48 < last) prt__vec_store(out + 27 * stride, t35 * t38);
+    if (first <= 49 && 49 < last) prt__vec_store(out + 33 * stride, t36 * t38);
     const prt__vec t39 = PRT__R(10.1332578546641584906) * t1 - PRT__R(2.76361577854477049742);
     const prt__vec t40 = z * t39;
-    prt__vec_store(out + 39 * stride, t35 * t40);
-    prt__vec_store(out + 45 * stride, t36 * t40);
+    if (first <= 50 && 50 < last) prt__vec_store(out + 39 * stride, t35 * t40);
+    if (first <= 51 && 51 < last) prt__vec_store(out + 45 * stride, t36 * t40);
     const prt__vec t41 = PRT__R(1.15401243699174093424) * t38 - PRT__R(1.21603371550977803267);
     const prt__vec t42 = t38 * t41 - PRT__R(0.401771089424162456772);
-    prt__vec_store(out + 53 * stride, t35 * t42);
-    prt__vec_store(out + 59 * stride, t36 * t42);
+    if (first <= 52 && 52 < last) prt__vec_store(out + 53 * stride, t35 * t42);
+    if (first <= 53 && 53 < last) prt__vec_store(out + 59 * stride, t36 * t42);
     const prt__vec t43 = PRT__R(2.15322168769582022424) * (z * t42) - PRT__R(0.975217386560017729543) * t40;
-    prt__vec_store(out + 69 * stride, t35 * t43);
-    prt__vec_store(out + 75 * stride, t36 * t43);
+    if (first <= 54 && 54 < last) prt__vec_store(out + 69 * stride, t35 * t43);
+    if (first <= 55 && 55 < last) prt__vec_store(out + 75 * stride, t36 * t43);
     const prt__vec t44 = PRT__R(2.11804417118980573708) * (z * t43) - PRT__R(0.983662844979209628271) * t42;
-    prt__vec_store(out + 87 * stride, t35 * t44);
-    prt__vec_store(out + 93 * stride, t36 * t44);
+    if (first <= 56 && 56 < last) prt__vec_store(out + 87 * stride, t35 * t44);
+    if (first <= 57 && 57 < last) prt__vec_store(out + 93 * stride, t36 * t44);
     const prt__vec t45 = t23 * t22;
     const prt__vec t46 = t45 + t45;
-    prt__vec_store(out + 16 * stride, PRT__R(0.625835735449176134587) * t46);
+    if (first <= 58 && 58 < last) prt__vec_store(out + 16 * stride, PRT__R(0.625835735449176134587) * t46);
     const prt__vec t47 = (t23 + t22) * (t23 - t22);
-    prt__vec_store(out + 24 * stride, PRT__R(0.625835735449176134587) * t47);
+    if (first <= 59 && 59 < last) prt__vec_store(out + 24 * stride, PRT__R(0.625835735449176134587) * t47);
     const prt__vec t48 = PRT__R(2.075662314881041279) * z;
-    prt__vec_store(out + 26 * stride, t46 * t48);
-    prt__vec_store(out + 34 * stride, t47 * t48);
+    if (first <= 60 && 60 < last) prt__vec_store(out + 26 * stride, t46 * t48);
+    if (first <= 61 && 61 < last) prt__vec_store(out + 34 * stride, t47 * t48);
     const prt__vec t49 = PRT__R(5.5502139080159657518) * t1 - PRT__R(0.504564900728724159254);
-    prt__vec_store(out + 38 * stride, t46 * t49);
-    prt__vec_store(out + 46 * stride, t47 * t49);
+    if (first <= 62 && 62 < last) prt__vec_store(out + 38 * stride, t46 * t49);
+    if (first <= 63 && 63 < last) prt__vec_store(out + 46 * stride, t47 * t49);
     const prt__vec t50 = PRT__R(13.4918050467267683135) * t1 - PRT__R(3.11349347232156191849);
     const prt__vec t51 = z * t50;
-    prt__vec_store(out + 52 * stride, t46 * t51);
-    prt__vec_store(out + 60 * stride, t47 * t51);
+    if (first <= 64 && 64 < last) prt__vec_store(out + 52 * stride, t46 * t51);
+    if (first <= 65 && 65 < last) prt__vec_store(out + 60 * stride, t47 * t51);
     const prt__vec t52 = PRT__R(1.0094855015668566765) * t49 - PRT__R(1.22244228452440165368);
     const prt__vec t53 = t49 * t52 - PRT__R(0.395385557652339419216);
-    prt__vec_store(out + 68 * stride, t46 * t53);
-    prt__vec_store(out + 76 * stride, t47 * t53);
+    if (first <= 66 && 66 < last) prt__vec_store(out + 68 * stride, t46 * t53);
+    if (first <= 67 && 67 < last) prt__vec_store(out + 76 * stride, t47 * t53);
     const prt__vec t54 = PRT__R(2.22917715070623519765) * (z * t53) - PRT__R(0.967152839723182214167) * t51;
-    prt__vec_store(out + 86 * stride, t46 * t54);
-    prt__vec_store(out + 94 * stride, t47 * t54);
+    if (first <= 68 && 68 < last) prt__vec_store(out + 86 * stride, t46 * t54);
+    if (first <= 69 && 69 < last) prt__vec_store(out + 94 * stride, t47 * t54);
     const prt__vec t55 = y * t47 + x * t46;
-    prt__vec_store(out + 25 * stride, PRT__R(0.656382056840170102814) * t55);
+    if (first <= 70 && 70 < last) prt__vec_store(out + 25 * stride, PRT__R(0.656382056840170102814) * t55);
     const prt__vec t56 = x * t47 - y * t46;
-    prt__vec_store(out + 35 * stride, PRT__R(0.656382056840170102814) * t56);
+    if (first <= 71 && 71 < last) prt__vec_store(out + 35 * stride, PRT__R(0.656382056840170102814) * t56);
     const prt__vec t57 = PRT__R(2.36661916223175203199) * z;
-    prt__vec_store(out + 37 * stride, t55 * t57);
-    prt__vec_store(out + 47 * stride, t56 * t57);
+    if (first <= 72 && 72 < last) prt__vec_store(out + 37 * stride, t55 * t57);
+    if (first <= 73 && 73 < last) prt__vec_store(out + 47 * stride, t56 * t57);
     const prt__vec t58 = PRT__R(6.74590252336338415674) * t1 - PRT__R(0.518915578720260319749);
-    prt__vec_store(out + 51 * stride, t55 * t58);
-    prt__vec_store(out + 61 * stride, t56 * t58);
+    if (first <= 74 && 74 < last) prt__vec_store(out + 51 * stride, t55 * t58);
+    if (first <= 75 && 75 < last) prt__vec_store(out + 61 * stride, t56 * t58);
     const prt__vec t59 = PRT__R(17.2495531104905400876) * t1 - PRT__R(3.44991062209810801752);
     const prt__vec t60 = z * t59;
-    prt__vec_store(out + 67 * stride, t55 * t60);
-    prt__vec_store(out + 77 * stride, t56 * t60);
+    if (first <= 76 && 76 < last) prt__vec_store(out + 67 * stride, t55 * t60);
+    if (first <= 77 && 77 < last) prt__vec_store(out + 77 * stride, t56 * t60);
     const prt__vec t61 = PRT__R(0.910342823558204599004) * t58 - PRT__R(1.22265924807669582645);
     const prt__vec t62 = t58 * t61 - PRT__R(0.392209739345009019975);
-    prt__vec_store(out + 85 * stride, t55 * t62);
-    prt__vec_store(out + 95 * stride, t56 * t62);
+    if (first <= 78 && 78 < last) prt__vec_store(out + 85 * stride, t55 * t62);
+    if (first <= 79 && 79 < last) prt__vec_store(out + 95 * stride, t56 * t62);
     const prt__vec t63 = t36 * t35;
     const prt__vec t64 = t63 + t63;
-    prt__vec_store(out + 36 * stride, PRT__R(0.683184105191914321975) * t64);
+    if (first <= 80 && 80 < last) prt__vec_store(out + 36 * stride, PRT__R(0.683184105191914321975) * t64);
     const prt__vec t65 = (t36 + t35) * (t36 - t35);
-    prt__vec_store(out + 48 * stride, PRT__R(0.683184105191914321975) * t65);
+    if (first <= 81 && 81 < last) prt__vec_store(out + 48 * stride, PRT__R(0.683184105191914321975) * t65);
     const prt__vec t66 = PRT__R(2.64596066180190022197) * z;
-    prt__vec_store(out + 50 * stride, t64 * t66);
-    prt__vec_store(out + 62 * stride, t65 * t66);
+    if (first <= 82 && 82 < last) prt__vec_store(out + 50 * stride, t64 * t66);
+    if (first <= 83 && 83 < last) prt__vec_store(out + 62 * stride, t65 * t66);
     const prt__vec t67 = PRT__R(7.98499149089313861467) * t1 - PRT__R(0.532332766059542574311);
-    prt__vec_store(out + 66 * stride, t64 * t67);
-    prt__vec_store(out + 78 * stride, t65 * t67);
+    if (first <= 84 && 84 < last) prt__vec_store(out + 66 * stride, t64 * t67);
+    if (first <= 85 && 85 < last) prt__vec_store(out + 78 * stride, t65 * t67);
     const prt__vec t68 = PRT__R(21.3928901909086362545) * t1 - PRT__R(3.77521591604270051551);
     const prt__vec t69 = z * t68;
-    prt__vec_store(out + 84 * stride, t64 * t69);
-    prt__vec_store(out + 96 * stride, t65 * t69);
+    if (first <= 86 && 86 < last) prt__vec_store(out + 84 * stride, t64 * t69);
+    if (first <= 87 && 87 < last) prt__vec_store(out + 96 * stride, t65 * t69);
     const prt__vec t70 = y * t65 + x * t64;
-    prt__vec_store(out + 49 * stride, PRT__R(0.707162732524596178226) * t70);
+    if (first <= 88 && 88 < last) prt__vec_store(out + 49 * stride, PRT__R(0.707162732524596178226) * t70);
     const prt__vec t71 = x * t65 - y * t64;
-    prt__vec_store(out + 63 * stride, PRT__R(0.707162732524596178226) * t71);
+    if (first <= 89 && 89 < last) prt__vec_store(out + 63 * stride, PRT__R(0.707162732524596178226) * t71);
     const prt__vec t72 = PRT__R(2.91570664069931947548) * z;
-    prt__vec_store(out + 65 * stride, t70 * t72);
-    prt__vec_store(out + 79 * stride, t71 * t72);
+    if (first <= 90 && 90 < last) prt__vec_store(out + 65 * stride, t70 * t72);
+    if (first <= 91 && 91 < last) prt__vec_store(out + 79 * stride, t71 * t72);
     const prt__vec t73 = PRT__R(9.26339318284890424012) * t1 - PRT__R(0.544905481344053190595);
-    prt__vec_store(out + 83 * stride, t70 * t73);
-    prt__vec_store(out + 97 * stride, t71 * t73);
+    if (first <= 92 && 92 < last) prt__vec_store(out + 83 * stride, t70 * t73);
+    if (first <= 93 && 93 < last) prt__vec_store(out + 97 * stride, t71 * t73);
     const prt__vec t74 = t47 * t46;
     const prt__vec t75 = t74 + t74;
-    prt__vec_store(out + 64 * stride, PRT__R(0.72892666017482986887) * t75);
+    if (first <= 94 && 94 < last) prt__vec_store(out + 64 * stride, PRT__R(0.72892666017482986887) * t75);
     const prt__vec t76 = (t47 + t46) * (t47 - t46);
-    prt__vec_store(out + 80 * stride, PRT__R(0.72892666017482986887) * t76);
+    if (first <= 95 && 95 < last) prt__vec_store(out + 80 * stride, PRT__R(0.72892666017482986887) * t76);
     const prt__vec t77 = PRT__R(3.1773176489546974773) * z;
-    prt__vec_store(out + 82 * stride, t75 * t77);
-    prt__vec_store(out + 98 * stride, t76 * t77);
-    prt__vec_store(out + 81 * stride, PRT__R(0.74890095185318829655) * (y * t76 + x * t75));
-    prt__vec_store(out + 99 * stride, PRT__R(0.74890095185318829655) * (x * t76 - y * t75));
+    if (first <= 96 && 96 < last) prt__vec_store(out + 82 * stride, t75 * t77);
+    if (first <= 97 && 97 < last) prt__vec_store(out + 98 * stride, t76 * t77);
+    if (first <= 98 && 98 < last) prt__vec_store(out + 81 * stride, PRT__R(0.74890095185318829655) * (y * t76 + x * t75));
+    if (first <= 99 && 99 < last) prt__vec_store(out + 99 * stride, PRT__R(0.74890095185318829655) * (x * t76 - y * t75));
+}
+
+PRT__STATIC void prt__sh_eval_10_v(int vectors, const prt_real *x, const prt_real *y, const prt_real *z,
+    prt_real *PRT__RESTRICT out, size_t stride) {
+    int k;
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 0, 8);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 8, 16);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 16, 24);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 24, 32);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 32, 40);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 40, 48);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 48, 56);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 56, 64);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 64, 72);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 72, 80);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 80, 88);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 88, 96);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__sh_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 96, 100);
+}
+
+/* SH value, 1 band: 1 multiplications, 0 additions (0 can fuse), 1 loads, 1 stores */
+PRT__STATIC void prt__sh_at_1(prt_real x, prt_real y, prt_real z, const prt_real *f, prt_real *PRT__RESTRICT out) {
+    (void)x;
+    (void)y;
+    (void)z;
+    out[0] = PRT__R(0.282094791773878143474) * f[0];
+}
+
+/* SH value, 2 bands: 7 multiplications, 3 additions (2 can fuse), 4 loads, 1 stores */
+PRT__STATIC void prt__sh_at_2(prt_real x, prt_real y, prt_real z, const prt_real *f, prt_real *PRT__RESTRICT out) {
+    const prt_real t1 = PRT__R(0.282094791773878143474) * f[0] + (PRT__R(0.488602511902919921586) * z) * f[2];
+    const prt_real t2 = y * (PRT__R(0.488602511902919921586) * f[1]) + x * (PRT__R(0.488602511902919921586) * f[3]);
+    out[0] = t1 + t2;
+}
+
+/* SH value, 3 bands: 19 multiplications, 12 additions (7 can fuse), 9 loads, 1 stores */
+PRT__STATIC void prt__sh_at_3(prt_real x, prt_real y, prt_real z, const prt_real *f, prt_real *PRT__RESTRICT out) {
+    const prt_real t1 = PRT__R(0.282094791773878143474) * f[0] + (PRT__R(0.488602511902919921586) * z) * f[2];
+    const prt_real t2 = PRT__R(0.946174695757560018093) * (z * z) - PRT__R(0.315391565252520006031);
+    const prt_real t3 = PRT__R(1.09254843059207907054) * z;
+    const prt_real t4 = y * (PRT__R(0.488602511902919921586) * f[1] + t3 * f[5]) + x * (PRT__R(0.488602511902919921586) * f[3] + t3 * f[7]);
+    const prt_real t5 = x * y;
+    const prt_real t6 = ((x + y) * (x - y)) * (PRT__R(0.546274215296039535272) * f[8]);
+    out[0] = ((t1 + t2 * f[6]) + t4) + ((t5 + t5) * (PRT__R(0.546274215296039535272) * f[4]) + t6);
+}
+
+/* SH value, 4 bands: 35 multiplications, 26 additions (15 can fuse), 16 loads, 1 stores */
+PRT__STATIC void prt__sh_at_4(prt_real x, prt_real y, prt_real z, const prt_real *f, prt_real *PRT__RESTRICT out) {
+    const prt_real t1 = PRT__R(0.282094791773878143474) * f[0] + (PRT__R(0.488602511902919921586) * z) * f[2];
+    const prt_real t2 = z * z;
+    const prt_real t3 = PRT__R(0.946174695757560018093) * t2 - PRT__R(0.315391565252520006031);
+    const prt_real t4 = PRT__R(1.86588166295057695707) * t2 - PRT__R(1.11952899777034617424);
+    const prt_real t5 = PRT__R(1.09254843059207907054) * z;
+    const prt_real t6 = PRT__R(2.28522899732232868079) * t2 - PRT__R(0.457045799464465736158);
+    const prt_real t7 = (PRT__R(0.488602511902919921586) * f[1] + t5 * f[5]) + t6 * f[11];
+    const prt_real t8 = (PRT__R(0.488602511902919921586) * f[3] + t5 * f[7]) + t6 * f[13];
+    const prt_real t9 = x * y;
+    const prt_real t10 = PRT__R(1.44530572132027702769) * z;
+    const prt_real t11 = (t9 + t9) * (PRT__R(0.546274215296039535272) * f[4] + t10 * f[10]);
+    const prt_real t12 = (x + y) * (x - y);
+    const prt_real t13 = t11 + t12 * (PRT__R(0.546274215296039535272) * f[8] + t10 * f[14]);
+    const prt_real t14 = (((t1 + t3 * f[6]) + (z * t4) * f[12]) + (y * t7 + x * t8)) + t13;
+    const prt_real t15 = y * y;
+    const prt_real t16 = t12 + t15;
+    const prt_real t17 = (y * (t12 + (t16 + t16))) * (PRT__R(0.590043589926643510346) * f[9]);
+    const prt_real t18 = (x * (t12 - (t15 + t15))) * (PRT__R(0.590043589926643510346) * f[15]);
+    out[0] = t14 + (t17 + t18);
+}
+
+/* SH value, 5 bands: 54 multiplications, 42 additions (27 can fuse), 25 loads, 1 stores */
+PRT__STATIC void prt__sh_at_5(prt_real x, prt_real y, prt_real z, const prt_real *f, prt_real *PRT__RESTRICT out) {
+    const prt_real t1 = PRT__R(0.282094791773878143474) * f[0] + (PRT__R(0.488602511902919921586) * z) * f[2];
+    const prt_real t2 = z * z;
+    const prt_real t3 = PRT__R(0.946174695757560018093) * t2 - PRT__R(0.315391565252520006031);
+    const prt_real t4 = PRT__R(1.86588166295057695707) * t2 - PRT__R(1.11952899777034617424);
+    const prt_real t5 = PRT__R(4.13572565211287073036) * t3 - PRT__R(0.745355992499929898803);
+    const prt_real t6 = ((t1 + t3 * f[6]) + (z * t4) * f[12]) + (t3 * t5 - PRT__R(0.329110590402857834053)) * f[20];
+    const prt_real t7 = PRT__R(1.09254843059207907054) * z;
+    const prt_real t8 = PRT__R(2.28522899732232868079) * t2 - PRT__R(0.457045799464465736158);
+    const prt_real t9 = (PRT__R(0.488602511902919921586) * f[1] + t7 * f[5]) + t8 * f[11];
+    const prt_real t10 = PRT__R(4.68332580490102417566) * t2 - PRT__R(2.00713963067186750386);
+    const prt_real t11 = z * t10;
+    const prt_real t12 = (PRT__R(0.488602511902919921586) * f[3] + t7 * f[7]) + t8 * f[13];
+    const prt_real t13 = x * y;
+    const prt_real t14 = t13 + t13;
+    const prt_real t15 = PRT__R(1.44530572132027702769) * z;
+    const prt_real t16 = PRT__R(3.31161143515146006332) * t2 - PRT__R(0.473087347878780009046);
+    const prt_real t17 = (PRT__R(0.546274215296039535272) * f[4] + t15 * f[10]) + t16 * f[18];
+    const prt_real t18 = (x + y) * (x - y);
+    const prt_real t19 = (PRT__R(0.546274215296039535272) * f[8] + t15 * f[14]) + t16 * f[22];
+    const prt_real t20 = (t6 + (y * (t9 + t11 * f[19]) + x * (t12 + t11 * f[21]))) + (t14 * t17 + t18 * t19);
+    const prt_real t21 = y * y;
+    const prt_real t22 = t18 + t21;
+    const prt_real t23 = PRT__R(1.77013076977993053104) * z;
+    const prt_real t24 = (y * (t18 + (t22 + t22))) * (PRT__R(0.590043589926643510346) * f[9] + t23 * f[17]);
+    const prt_real t25 = (x * (t18 - (t21 + t21))) * (PRT__R(0.590043589926643510346) * f[15] + t23 * f[23]);
+    const prt_real t26 = t18 * t14;
+    const prt_real t27 = ((t18 + t14) * (t18 - t14)) * (PRT__R(0.625835735449176134587) * f[24]);
+    const prt_real t28 = (t26 + t26) * (PRT__R(0.625835735449176134587) * f[16]) + t27;
+    out[0] = (t20 + (t24 + t25)) + t28;
+}
+
+/* SH value, 6 bands: 80 multiplications, 60 additions (44 can fuse), 36 loads, 1 stores */
+PRT__STATIC void prt__sh_at_6(prt_real x, prt_real y, prt_real z, const prt_real *f, prt_real *PRT__RESTRICT out) {
+    const prt_real t1 = PRT__R(0.282094791773878143474) * f[0] + (PRT__R(0.488602511902919921586) * z) * f[2];
+    const prt_real t2 = z * z;
+    const prt_real t3 = PRT__R(0.946174695757560018093) * t2 - PRT__R(0.315391565252520006031);
+    const prt_real t4 = PRT__R(1.86588166295057695707) * t2 - PRT__R(1.11952899777034617424);
+    const prt_real t5 = z * t4;
+    const prt_real t6 = PRT__R(4.13572565211287073036) * t3 - PRT__R(0.745355992499929898803);
+    const prt_real t7 = t3 * t6 - PRT__R(0.329110590402857834053);
+    const prt_real t8 = PRT__R(1.98997487421323990947) * (z * t7) - PRT__R(1.00285307284481394976) * t5;
+    const prt_real t9 = (((t1 + t3 * f[6]) + t5 * f[12]) + t7 * f[20]) + t8 * f[30];
+    const prt_real t10 = PRT__R(1.09254843059207907054) * z;
+    const prt_real t11 = PRT__R(2.28522899732232868079) * t2 - PRT__R(0.457045799464465736158);
+    const prt_real t12 = (PRT__R(0.488602511902919921586) * f[1] + t10 * f[5]) + t11 * f[11];
+    const prt_real t13 = PRT__R(4.68332580490102417566) * t2 - PRT__R(2.00713963067186750386);
+    const prt_real t14 = z * t13;
+    const prt_real t15 = PRT__R(1.82140655598655998134) * t11 - PRT__R(1.10995495404092863574);
+    const prt_real t16 = t11 * t15 - PRT__R(0.434828785147869044447);
+    const prt_real t17 = (PRT__R(0.488602511902919921586) * f[3] + t10 * f[7]) + t11 * f[13];
+    const prt_real t18 = y * ((t12 + t14 * f[19]) + t16 * f[29]) + x * ((t17 + t14 * f[21]) + t16 * f[31]);
+    const prt_real t19 = x * y;
+    const prt_real t20 = t19 + t19;
+    const prt_real t21 = PRT__R(1.44530572132027702769) * z;
+    const prt_real t22 = PRT__R(3.31161143515146006332) * t2 - PRT__R(0.473087347878780009046);
+    const prt_real t23 = (PRT__R(0.546274215296039535272) * f[4] + t21 * f[10]) + t22 * f[18];
+    const prt_real t24 = PRT__R(7.1903051774599856325) * t2 - PRT__R(2.3967683924866618775);
+    const prt_real t25 = z * t24;
+    const prt_real t26 = (x + y) * (x - y);
+    const prt_real t27 = (PRT__R(0.546274215296039535272) * f[8] + t21 * f[14]) + t22 * f[22];
+    const prt_real t28 = (t9 + t18) + (t20 * (t23 + t25 * f[28]) + t26 * (t27 + t25 * f[32]));
+    const prt_real t29 = y * y;
+    const prt_real t30 = t26 + t29;
+    const prt_real t31 = PRT__R(1.77013076977993053104) * z;
+    const prt_real t32 = PRT__R(4.40314469491725348916) * t2 - PRT__R(0.489238299435250387684);
+    const prt_real t33 = (PRT__R(0.590043589926643510346) * f[9] + t31 * f[17]) + t32 * f[27];
+    const prt_real t34 = (PRT__R(0.590043589926643510346) * f[15] + t31 * f[23]) + t32 * f[33];
+    const prt_real t35 = (y * (t26 + (t30 + t30))) * t33 + (x * (t26 - (t29 + t29))) * t34;
+    const prt_real t36 = t26 * t20;
+    const prt_real t37 = t36 + t36;
+    const prt_real t38 = PRT__R(2.075662314881041279) * z;
+    const prt_real t39 = t37 * (PRT__R(0.625835735449176134587) * f[16] + t38 * f[26]);
+    const prt_real t40 = (t26 + t20) * (t26 - t20);
+    const prt_real t41 = t40 * (PRT__R(0.625835735449176134587) * f[24] + t38 * f[34]);
+    const prt_real t42 = (y * t40 + x * t37) * (PRT__R(0.656382056840170102814) * f[25]);
+    const prt_real t43 = (x * t40 - y * t37) * (PRT__R(0.656382056840170102814) * f[35]);
+    out[0] = ((t28 + t35) + (t39 + t41)) + (t42 + t43);
+}
+
+/* SH value, 7 bands: 109 multiplications, 82 additions (62 can fuse), 49 loads, 1 stores */
+PRT__STATIC void prt__sh_at_7(prt_real x, prt_real y, prt_real z, const prt_real *f, prt_real *PRT__RESTRICT out) {
+    const prt_real t1 = PRT__R(0.282094791773878143474) * f[0] + (PRT__R(0.488602511902919921586) * z) * f[2];
+    const prt_real t2 = z * z;
+    const prt_real t3 = PRT__R(0.946174695757560018093) * t2 - PRT__R(0.315391565252520006031);
+    const prt_real t4 = PRT__R(1.86588166295057695707) * t2 - PRT__R(1.11952899777034617424);
+    const prt_real t5 = z * t4;
+    const prt_real t6 = PRT__R(4.13572565211287073036) * t3 - PRT__R(0.745355992499929898803);
+    const prt_real t7 = t3 * t6 - PRT__R(0.329110590402857834053);
+    const prt_real t8 = PRT__R(1.98997487421323990947) * (z * t7) - PRT__R(1.00285307284481394976) * t5;
+    const prt_real t9 = (((t1 + t3 * f[6]) + t5 * f[12]) + t7 * f[20]) + t8 * f[30];
+    const prt_real t10 = PRT__R(1.99304345718356633685) * (z * t8) - PRT__R(1.00154202096221924809) * t7;
+    const prt_real t11 = PRT__R(1.09254843059207907054) * z;
+    const prt_real t12 = PRT__R(2.28522899732232868079) * t2 - PRT__R(0.457045799464465736158);
+    const prt_real t13 = (PRT__R(0.488602511902919921586) * f[1] + t11 * f[5]) + t12 * f[11];
+    const prt_real t14 = PRT__R(4.68332580490102417566) * t2 - PRT__R(2.00713963067186750386);
+    const prt_real t15 = z * t14;
+    const prt_real t16 = PRT__R(1.82140655598655998134) * t12 - PRT__R(1.10995495404092863574);
+    const prt_real t17 = t12 * t16 - PRT__R(0.434828785147869044447);
+    const prt_real t18 = PRT__R(2.02131498923702777609) * (z * t17) - PRT__R(0.995226703056238577025) * t15;
+    const prt_real t19 = (PRT__R(0.488602511902919921586) * f[3] + t11 * f[7]) + t12 * f[13];
+    const prt_real t20 = y * (((t13 + t15 * f[19]) + t17 * f[29]) + t18 * f[41]) + x * (((t19 + t15 * f[21]) + t17 * f[31]) + t18 * f[43]);
+    const prt_real t21 = x * y;
+    const prt_real t22 = t21 + t21;
+    const prt_real t23 = PRT__R(1.44530572132027702769) * z;
+    const prt_real t24 = PRT__R(3.31161143515146006332) * t2 - PRT__R(0.473087347878780009046);
+    const prt_real t25 = (PRT__R(0.546274215296039535272) * f[4] + t23 * f[10]) + t24 * f[18];
+    const prt_real t26 = PRT__R(7.1903051774599856325) * t2 - PRT__R(2.3967683924866618775);
+    const prt_real t27 = z * t26;
+    const prt_real t28 = PRT__R(1.38599481613688115647) * t24 - PRT__R(1.19217565770897169497);
+    const prt_real t29 = t24 * t28 - PRT__R(0.413602361414863611859);
+    const prt_real t30 = (x + y) * (x - y);
+    const prt_real t31 = (PRT__R(0.546274215296039535272) * f[8] + t23 * f[14]) + t24 * f[22];
+    const prt_real t32 = t22 * ((t25 + t27 * f[28]) + t29 * f[40]) + t30 * ((t31 + t27 * f[32]) + t29 * f[44]);
+    const prt_real t33 = y * y;
+    const prt_real t34 = t30 + t33;
+    const prt_real t35 = y * (t30 + (t34 + t34));
+    const prt_real t36 = PRT__R(1.77013076977993053104) * z;
+    const prt_real t37 = PRT__R(4.40314469491725348916) * t2 - PRT__R(0.489238299435250387684);
+    const prt_real t38 = (PRT__R(0.590043589926643510346) * f[9] + t36 * f[17]) + t37 * f[27];
+    const prt_real t39 = PRT__R(10.1332578546641584906) * t2 - PRT__R(2.76361577854477049742);
+    const prt_real t40 = z * t39;
+    const prt_real t41 = x * (t30 - (t33 + t33));
+    const prt_real t42 = (PRT__R(0.590043589926643510346) * f[15] + t36 * f[23]) + t37 * f[33];
+    const prt_real t43 = (((t9 + t10 * f[42]) + t20) + t32) + (t35 * (t38 + t40 * f[39]) + t41 * (t42 + t40 * f[45]));
+    const prt_real t44 = t30 * t22;
+    const prt_real t45 = t44 + t44;
+    const prt_real t46 = PRT__R(2.075662314881041279) * z;
+    const prt_real t47 = PRT__R(5.5502139080159657518) * t2 - PRT__R(0.504564900728724159254);
+    const prt_real t48 = (PRT__R(0.625835735449176134587) * f[16] + t46 * f[26]) + t47 * f[38];
+    const prt_real t49 = (t30 + t22) * (t30 - t22);
+    const prt_real t50 = (PRT__R(0.625835735449176134587) * f[24] + t46 * f[34]) + t47 * f[46];
+    const prt_real t51 = PRT__R(2.36661916223175203199) * z;
+    const prt_real t52 = (y * t49 + x * t45) * (PRT__R(0.656382056840170102814) * f[25] + t51 * f[37]);
+    const prt_real t53 = (x * t49 - y * t45) * (PRT__R(0.656382056840170102814) * f[35] + t51 * f[47]);
+    const prt_real t54 = t41 * t35;
+    const prt_real t55 = ((t41 + t35) * (t41 - t35)) * (PRT__R(0.683184105191914321975) * f[48]);
+    const prt_real t56 = (t54 + t54) * (PRT__R(0.683184105191914321975) * f[36]) + t55;
+    out[0] = ((t43 + (t45 * t48 + t49 * t50)) + (t52 + t53)) + t56;
+}
+
+/* SH value, 8 bands: 145 multiplications, 106 additions (85 can fuse), 64 loads, 1 stores */
+PRT__STATIC void prt__sh_at_8(prt_real x, prt_real y, prt_real z, const prt_real *f, prt_real *PRT__RESTRICT out) {
+    const prt_real t1 = PRT__R(0.282094791773878143474) * f[0] + (PRT__R(0.488602511902919921586) * z) * f[2];
+    const prt_real t2 = z * z;
+    const prt_real t3 = PRT__R(0.946174695757560018093) * t2 - PRT__R(0.315391565252520006031);
+    const prt_real t4 = PRT__R(1.86588166295057695707) * t2 - PRT__R(1.11952899777034617424);
+    const prt_real t5 = z * t4;
+    const prt_real t6 = PRT__R(4.13572565211287073036) * t3 - PRT__R(0.745355992499929898803);
+    const prt_real t7 = t3 * t6 - PRT__R(0.329110590402857834053);
+    const prt_real t8 = PRT__R(1.98997487421323990947) * (z * t7) - PRT__R(1.00285307284481394976) * t5;
+    const prt_real t9 = (((t1 + t3 * f[6]) + t5 * f[12]) + t7 * f[20]) + t8 * f[30];
+    const prt_real t10 = PRT__R(1.99304345718356633685) * (z * t8) - PRT__R(1.00154202096221924809) * t7;
+    const prt_real t11 = PRT__R(1.99489143482413445284) * (z * t10) - PRT__R(1.00092721392195810546) * t8;
+    const prt_real t12 = PRT__R(1.09254843059207907054) * z;
+    const prt_real t13 = PRT__R(2.28522899732232868079) * t2 - PRT__R(0.457045799464465736158);
+    const prt_real t14 = (PRT__R(0.488602511902919921586) * f[1] + t12 * f[5]) + t13 * f[11];
+    const prt_real t15 = PRT__R(4.68332580490102417566) * t2 - PRT__R(2.00713963067186750386);
+    const prt_real t16 = z * t15;
+    const prt_real t17 = PRT__R(1.82140655598655998134) * t13 - PRT__R(1.10995495404092863574);
+    const prt_real t18 = t13 * t17 - PRT__R(0.434828785147869044447);
+    const prt_real t19 = PRT__R(2.02131498923702777609) * (z * t18) - PRT__R(0.995226703056238577025) * t16;
+    const prt_real t20 = PRT__R(2.01556443707463741309) * (z * t19) - PRT__R(0.997155044021832052319) * t18;
+    const prt_real t21 = (((t14 + t16 * f[19]) + t18 * f[29]) + t19 * f[41]) + t20 * f[55];
+    const prt_real t22 = (PRT__R(0.488602511902919921586) * f[3] + t12 * f[7]) + t13 * f[13];
+    const prt_real t23 = (((t22 + t16 * f[21]) + t18 * f[31]) + t19 * f[43]) + t20 * f[57];
+    const prt_real t24 = x * y;
+    const prt_real t25 = t24 + t24;
+    const prt_real t26 = PRT__R(1.44530572132027702769) * z;
+    const prt_real t27 = PRT__R(3.31161143515146006332) * t2 - PRT__R(0.473087347878780009046);
+    const prt_real t28 = (PRT__R(0.546274215296039535272) * f[4] + t26 * f[10]) + t27 * f[18];
+    const prt_real t29 = PRT__R(7.1903051774599856325) * t2 - PRT__R(2.3967683924866618775);
+    const prt_real t30 = z * t29;
+    const prt_real t31 = PRT__R(1.38599481613688115647) * t27 - PRT__R(1.19217565770897169497);
+    const prt_real t32 = t27 * t31 - PRT__R(0.413602361414863611859);
+    const prt_real t33 = PRT__R(2.08166599946613273528) * (z * t32) - PRT__R(0.984731927834661861874) * t30;
+    const prt_real t34 = (x + y) * (x - y);
+    const prt_real t35 = (PRT__R(0.546274215296039535272) * f[8] + t26 * f[14]) + t27 * f[22];
+    const prt_real t36 = t25 * (((t28 + t30 * f[28]) + t32 * f[40]) + t33 * f[54]) + t34 * (((t35 + t30 * f[32]) + t32 * f[44]) + t33 * f[58]);
+    const prt_real t37 = (((t9 + t10 * f[42]) + t11 * f[56]) + (y * t21 + x * t23)) + t36;
+    const prt_real t38 = y * y;
+    const prt_real t39 = t34 + t38;
+    const prt_real t40 = y * (t34 + (t39 + t39));
+    const prt_real t41 = PRT__R(1.77013076977993053104) * z;
+    const prt_real t42 = PRT__R(4.40314469491725348916) * t2 - PRT__R(0.489238299435250387684);
+    const prt_real t43 = (PRT__R(0.590043589926643510346) * f[9] + t41 * f[17]) + t42 * f[27];
+    const prt_real t44 = PRT__R(10.1332578546641584906) * t2 - PRT__R(2.76361577854477049742);
+    const prt_real t45 = z * t44;
+    const prt_real t46 = PRT__R(1.15401243699174093424) * t42 - PRT__R(1.21603371550977803267);
+    const prt_real t47 = t42 * t46 - PRT__R(0.401771089424162456772);
+    const prt_real t48 = x * (t34 - (t38 + t38));
+    const prt_real t49 = (PRT__R(0.590043589926643510346) * f[15] + t41 * f[23]) + t42 * f[33];
+    const prt_real t50 = t40 * ((t43 + t45 * f[39]) + t47 * f[53]) + t48 * ((t49 + t45 * f[45]) + t47 * f[59]);
+    const prt_real t51 = t34 * t25;
+    const prt_real t52 = t51 + t51;
+    const prt_real t53 = PRT__R(2.075662314881041279) * z;
+    const prt_real t54 = PRT__R(5.5502139080159657518) * t2 - PRT__R(0.504564900728724159254);
+    const prt_real t55 = (PRT__R(0.625835735449176134587) * f[16] + t53 * f[26]) + t54 * f[38];
+    const prt_real t56 = PRT__R(13.4918050467267683135) * t2 - PRT__R(3.11349347232156191849);
+    const prt_real t57 = z * t56;
+    const prt_real t58 = (t34 + t25) * (t34 - t25);
+    const prt_real t59 = (PRT__R(0.625835735449176134587) * f[24] + t53 * f[34]) + t54 * f[46];
+    const prt_real t60 = (t37 + t50) + (t52 * (t55 + t57 * f[52]) + t58 * (t59 + t57 * f[60]));
+    const prt_real t61 = PRT__R(2.36661916223175203199) * z;
+    const prt_real t62 = PRT__R(6.74590252336338415674) * t2 - PRT__R(0.518915578720260319749);
+    const prt_real t63 = (PRT__R(0.656382056840170102814) * f[25] + t61 * f[37]) + t62 * f[51];
+    const prt_real t64 = (PRT__R(0.656382056840170102814) * f[35] + t61 * f[47]) + t62 * f[61];
+    const prt_real t65 = t60 + ((y * t58 + x * t52) * t63 + (x * t58 - y * t52) * t64);
+    const prt_real t66 = t48 * t40;
+    const prt_real t67 = t66 + t66;
+    const prt_real t68 = PRT__R(2.64596066180190022197) * z;
+    const prt_real t69 = t67 * (PRT__R(0.683184105191914321975) * f[36] + t68 * f[50]);
+    const prt_real t70 = (t48 + t40) * (t48 - t40);
+    const prt_real t71 = t70 * (PRT__R(0.683184105191914321975) * f[48] + t68 * f[62]);
+    const prt_real t72 = (y * t70 + x * t67) * (PRT__R(0.707162732524596178226) * f[49]);
+    const prt_real t73 = (x * t70 - y * t67) * (PRT__R(0.707162732524596178226) * f[63]);
+    out[0] = (t65 + (t69 + t71)) + (t72 + t73);
+}
+
+/* SH value, 9 bands: 184 multiplications, 134 additions (109 can fuse), 81 loads, 1 stores */
+PRT__STATIC void prt__sh_at_9(prt_real x, prt_real y, prt_real z, const prt_real *f, prt_real *PRT__RESTRICT out) {
+    const prt_real t1 = PRT__R(0.282094791773878143474) * f[0] + (PRT__R(0.488602511902919921586) * z) * f[2];
+    const prt_real t2 = z * z;
+    const prt_real t3 = PRT__R(0.946174695757560018093) * t2 - PRT__R(0.315391565252520006031);
+    const prt_real t4 = PRT__R(1.86588166295057695707) * t2 - PRT__R(1.11952899777034617424);
+    const prt_real t5 = z * t4;
+    const prt_real t6 = PRT__R(4.13572565211287073036) * t3 - PRT__R(0.745355992499929898803);
+    const prt_real t7 = t3 * t6 - PRT__R(0.329110590402857834053);
+    const prt_real t8 = PRT__R(1.98997487421323990947) * (z * t7) - PRT__R(1.00285307284481394976) * t5;
+    const prt_real t9 = (((t1 + t3 * f[6]) + t5 * f[12]) + t7 * f[20]) + t8 * f[30];
+    const prt_real t10 = PRT__R(1.99304345718356633685) * (z * t8) - PRT__R(1.00154202096221924809) * t7;
+    const prt_real t11 = PRT__R(1.99489143482413445284) * (z * t10) - PRT__R(1.00092721392195810546) * t8;
+    const prt_real t12 = PRT__R(1.99608992783391399988) * (z * t11) - PRT__R(1.00060078106951479479) * t10;
+    const prt_real t13 = PRT__R(1.09254843059207907054) * z;
+    const prt_real t14 = PRT__R(2.28522899732232868079) * t2 - PRT__R(0.457045799464465736158);
+    const prt_real t15 = (PRT__R(0.488602511902919921586) * f[1] + t13 * f[5]) + t14 * f[11];
+    const prt_real t16 = PRT__R(4.68332580490102417566) * t2 - PRT__R(2.00713963067186750386);
+    const prt_real t17 = z * t16;
+    const prt_real t18 = PRT__R(1.82140655598655998134) * t14 - PRT__R(1.10995495404092863574);
+    const prt_real t19 = t14 * t18 - PRT__R(0.434828785147869044447);
+    const prt_real t20 = PRT__R(2.02131498923702777609) * (z * t19) - PRT__R(0.995226703056238577025) * t17;
+    const prt_real t21 = PRT__R(2.01556443707463741309) * (z * t20) - PRT__R(0.997155044021832052319) * t19;
+    const prt_real t22 = (((t15 + t17 * f[19]) + t19 * f[29]) + t20 * f[41]) + t21 * f[55];
+    const prt_real t23 = PRT__R(2.01186954040739123146) * (z * t21) - PRT__R(0.998166817890174275952) * t20;
+    const prt_real t24 = (PRT__R(0.488602511902919921586) * f[3] + t13 * f[7]) + t14 * f[13];
+    const prt_real t25 = (((t24 + t17 * f[21]) + t19 * f[31]) + t20 * f[43]) + t21 * f[57];
+    const prt_real t26 = (((t9 + t10 * f[42]) + t11 * f[56]) + t12 * f[72]) + (y * (t22 + t23 * f[71]) + x * (t25 + t23 * f[73]));
+    const prt_real t27 = x * y;
+    const prt_real t28 = t27 + t27;
+    const prt_real t29 = PRT__R(1.44530572132027702769) * z;
+    const prt_real t30 = PRT__R(3.31161143515146006332) * t2 - PRT__R(0.473087347878780009046);
+    const prt_real t31 = (PRT__R(0.546274215296039535272) * f[4] + t29 * f[10]) + t30 * f[18];
+    const prt_real t32 = PRT__R(7.1903051774599856325) * t2 - PRT__R(2.3967683924866618775);
+    const prt_real t33 = z * t32;
+    const prt_real t34 = PRT__R(1.38599481613688115647) * t30 - PRT__R(1.19217565770897169497);
+    const prt_real t35 = t30 * t34 - PRT__R(0.413602361414863611859);
+    const prt_real t36 = PRT__R(2.08166599946613273528) * (z * t35) - PRT__R(0.984731927834661861874) * t33;
+    const prt_real t37 = PRT__R(2.06155281280883027491) * (z * t36) - PRT__R(0.990337937660287135802) * t35;
+    const prt_real t38 = (((t31 + t33 * f[28]) + t35 * f[40]) + t36 * f[54]) + t37 * f[70];
+    const prt_real t39 = (x + y) * (x - y);
+    const prt_real t40 = (PRT__R(0.546274215296039535272) * f[8] + t29 * f[14]) + t30 * f[22];
+    const prt_real t41 = (((t40 + t33 * f[32]) + t35 * f[44]) + t36 * f[58]) + t37 * f[74];
+    const prt_real t42 = y * y;
+    const prt_real t43 = t39 + t42;
+    const prt_real t44 = y * (t39 + (t43 + t43));
+    const prt_real t45 = PRT__R(1.77013076977993053104) * z;
+    const prt_real t46 = PRT__R(4.40314469491725348916) * t2 - PRT__R(0.489238299435250387684);
+    const prt_real t47 = (PRT__R(0.590043589926643510346) * f[9] + t45 * f[17]) + t46 * f[27];
+    const prt_real t48 = PRT__R(10.1332578546641584906) * t2 - PRT__R(2.76361577854477049742);
+    const prt_real t49 = z * t48;
+    const prt_real t50 = PRT__R(1.15401243699174093424) * t46 - PRT__R(1.21603371550977803267);
+    const prt_real t51 = t46 * t50 - PRT__R(0.401771089424162456772);
+    const prt_real t52 = PRT__R(2.15322168769582022424) * (z * t51) - PRT__R(0.975217386560017729543) * t49;
+    const prt_real t53 = x * (t39 - (t42 + t42));
+    const prt_real t54 = (PRT__R(0.590043589926643510346) * f[15] + t45 * f[23]) + t46 * f[33];
+    const prt_real t55 = t44 * (((t47 + t49 * f[39]) + t51 * f[53]) + t52 * f[69]) + t53 * (((t54 + t49 * f[45]) + t51 * f[59]) + t52 * f[75]);
+    const prt_real t56 = t39 * t28;
+    const prt_real t57 = t56 + t56;
+    const prt_real t58 = PRT__R(2.075662314881041279) * z;
+    const prt_real t59 = PRT__R(5.5502139080159657518) * t2 - PRT__R(0.504564900728724159254);
+    const prt_real t60 = (PRT__R(0.625835735449176134587) * f[16] + t58 * f[26]) + t59 * f[38];
+    const prt_real t61 = PRT__R(13.4918050467267683135) * t2 - PRT__R(3.11349347232156191849);
+    const prt_real t62 = z * t61;
+    const prt_real t63 = PRT__R(1.0094855015668566765) * t59 - PRT__R(1.22244228452440165368);
+    const prt_real t64 = t59 * t63 - PRT__R(0.395385557652339419216);
+    const prt_real t65 = (t39 + t28) * (t39 - t28);
+    const prt_real t66 = (PRT__R(0.625835735449176134587) * f[24] + t58 * f[34]) + t59 * f[46];
+    const prt_real t67 = t57 * ((t60 + t62 * f[52]) + t64 * f[68]) + t65 * ((t66 + t62 * f[60]) + t64 * f[76]);
+    const prt_real t68 = PRT__R(2.36661916223175203199) * z;
+    const prt_real t69 = PRT__R(6.74590252336338415674) * t2 - PRT__R(0.518915578720260319749);
+    const prt_real t70 = (PRT__R(0.656382056840170102814) * f[25] + t68 * f[37]) + t69 * f[51];
+    const prt_real t71 = PRT__R(17.2495531104905400876) * t2 - PRT__R(3.44991062209810801752);
+    const prt_real t72 = z * t71;
+    const prt_real t73 = (PRT__R(0.656382056840170102814) * f[35] + t68 * f[47]) + t69 * f[61];
+    const prt_real t74 = (y * t65 + x * t57) * (t70 + t72 * f[67]) + (x * t65 - y * t57) * (t73 + t72 * f[77]);
+    const prt_real t75 = t53 * t44;
+    const prt_real t76 = t75 + t75;
+    const prt_real t77 = PRT__R(2.64596066180190022197) * z;
+    const prt_real t78 = PRT__R(7.98499149089313861467) * t2 - PRT__R(0.532332766059542574311);
+    const prt_real t79 = (PRT__R(0.683184105191914321975) * f[36] + t77 * f[50]) + t78 * f[66];
+    const prt_real t80 = (t53 + t44) * (t53 - t44);
+    const prt_real t81 = (PRT__R(0.683184105191914321975) * f[48] + t77 * f[62]) + t78 * f[78];
+    const prt_real t82 = ((((t26 + (t28 * t38 + t39 * t41)) + t55) + t67) + t74) + (t76 * t79 + t80 * t81);
+    const prt_real t83 = PRT__R(2.91570664069931947548) * z;
+    const prt_real t84 = (y * t80 + x * t76) * (PRT__R(0.707162732524596178226) * f[49] + t83 * f[65]);
+    const prt_real t85 = (x * t80 - y * t76) * (PRT__R(0.707162732524596178226) * f[63] + t83 * f[79]);
+    const prt_real t86 = t65 * t57;
+    const prt_real t87 = ((t65 + t57) * (t65 - t57)) * (PRT__R(0.72892666017482986887) * f[80]);
+    const prt_real t88 = (t86 + t86) * (PRT__R(0.72892666017482986887) * f[64]) + t87;
+    out[0] = (t82 + (t84 + t85)) + t88;
+}
+
+/* SH value, 10 bands: 230 multiplications, 164 additions (138 can fuse), 100 loads, 1 stores */
+PRT__STATIC void prt__sh_at_10(prt_real x, prt_real y, prt_real z, const prt_real *f, prt_real *PRT__RESTRICT out) {
+    const prt_real t1 = PRT__R(0.282094791773878143474) * f[0] + (PRT__R(0.488602511902919921586) * z) * f[2];
+    const prt_real t2 = z * z;
+    const prt_real t3 = PRT__R(0.946174695757560018093) * t2 - PRT__R(0.315391565252520006031);
+    const prt_real t4 = PRT__R(1.86588166295057695707) * t2 - PRT__R(1.11952899777034617424);
+    const prt_real t5 = z * t4;
+    const prt_real t6 = PRT__R(4.13572565211287073036) * t3 - PRT__R(0.745355992499929898803);
+    const prt_real t7 = t3 * t6 - PRT__R(0.329110590402857834053);
+    const prt_real t8 = PRT__R(1.98997487421323990947) * (z * t7) - PRT__R(1.00285307284481394976) * t5;
+    const prt_real t9 = (((t1 + t3 * f[6]) + t5 * f[12]) + t7 * f[20]) + t8 * f[30];
+    const prt_real t10 = PRT__R(1.99304345718356633685) * (z * t8) - PRT__R(1.00154202096221924809) * t7;
+    const prt_real t11 = PRT__R(1.99489143482413445284) * (z * t10) - PRT__R(1.00092721392195810546) * t8;
+    const prt_real t12 = PRT__R(1.99608992783391399988) * (z * t11) - PRT__R(1.00060078106951479479) * t10;
+    const prt_real t13 = PRT__R(1.99691119506793649529) * (z * t12) - PRT__R(1.000411437993133759) * t11;
+    const prt_real t14 = (((t9 + t10 * f[42]) + t11 * f[56]) + t12 * f[72]) + t13 * f[90];
+    const prt_real t15 = PRT__R(1.09254843059207907054) * z;
+    const prt_real t16 = PRT__R(2.28522899732232868079) * t2 - PRT__R(0.457045799464465736158);
+    const prt_real t17 = (PRT__R(0.488602511902919921586) * f[1] + t15 * f[5]) + t16 * f[11];
+    const prt_real t18 = PRT__R(4.68332580490102417566) * t2 - PRT__R(2.00713963067186750386);
+    const prt_real t19 = z * t18;
+    const prt_real t20 = PRT__R(1.82140655598655998134) * t16 - PRT__R(1.10995495404092863574);
+    const prt_real t21 = t16 * t20 - PRT__R(0.434828785147869044447);
+    const prt_real t22 = PRT__R(2.02131498923702777609) * (z * t21) - PRT__R(0.995226703056238577025) * t19;
+    const prt_real t23 = PRT__R(2.01556443707463741309) * (z * t22) - PRT__R(0.997155044021832052319) * t21;
+    const prt_real t24 = (((t17 + t19 * f[19]) + t21 * f[29]) + t22 * f[41]) + t23 * f[55];
+    const prt_real t25 = PRT__R(2.01186954040739123146) * (z * t23) - PRT__R(0.998166817890174275952) * t22;
+    const prt_real t26 = PRT__R(2.00935312974101194944) * (z * t25) - PRT__R(0.998749217771908945789) * t23;
+    const prt_real t27 = (PRT__R(0.488602511902919921586) * f[3] + t15 * f[7]) + t16 * f[13];
+    const prt_real t28 = (((t27 + t19 * f[21]) + t21 * f[31]) + t22 * f[43]) + t23 * f[57];
+    const prt_real t29 = y * ((t24 + t25 * f[71]) + t26 * f[89]) + x * ((t28 + t25 * f[73]) + t26 * f[91]);
+    const prt_real t30 = x * y;
+    const prt_real t31 = t30 + t30;
+    const prt_real t32 = PRT__R(1.44530572132027702769) * z;
+    const prt_real t33 = PRT__R(3.31161143515146006332) * t2 - PRT__R(0.473087347878780009046);
+    const prt_real t34 = (PRT__R(0.546274215296039535272) * f[4] + t32 * f[10]) + t33 * f[18];
+    const prt_real t35 = PRT__R(7.1903051774599856325) * t2 - PRT__R(2.3967683924866618775);
+    const prt_real t36 = z * t35;
+    const prt_real t37 = PRT__R(1.38599481613688115647) * t33 - PRT__R(1.19217565770897169497);
+    const prt_real t38 = t33 * t37 - PRT__R(0.413602361414863611859);
+    const prt_real t39 = PRT__R(2.08166599946613273528) * (z * t38) - PRT__R(0.984731927834661861874) * t36;
+    const prt_real t40 = PRT__R(2.06155281280883027491) * (z * t39) - PRT__R(0.990337937660287135802) * t38;
+    const prt_real t41 = (((t34 + t36 * f[28]) + t38 * f[40]) + t39 * f[54]) + t40 * f[70];
+    const prt_real t42 = PRT__R(2.0481223583578191106) * (z * t40) - PRT__R(0.993485272670404014071) * t39;
+    const prt_real t43 = (x + y) * (x - y);
+    const prt_real t44 = (PRT__R(0.546274215296039535272) * f[8] + t32 * f[14]) + t33 * f[22];
+    const prt_real t45 = (((t44 + t36 * f[32]) + t38 * f[44]) + t39 * f[58]) + t40 * f[74];
+    const prt_real t46 = (t14 + t29) + (t31 * (t41 + t42 * f[88]) + t43 * (t45 + t42 * f[92]));
+    const prt_real t47 = y * y;
+    const prt_real t48 = t43 + t47;
+    const prt_real t49 = y * (t43 + (t48 + t48));
+    const prt_real t50 = PRT__R(1.77013076977993053104) * z;
+    const prt_real t51 = PRT__R(4.40314469491725348916) * t2 - PRT__R(0.489238299435250387684);
+    const prt_real t52 = (PRT__R(0.590043589926643510346) * f[9] + t50 * f[17]) + t51 * f[27];
+    const prt_real t53 = PRT__R(10.1332578546641584906) * t2 - PRT__R(2.76361577854477049742);
+    const prt_real t54 = z * t53;
+    const prt_real t55 = PRT__R(1.15401243699174093424) * t51 - PRT__R(1.21603371550977803267);
+    const prt_real t56 = t51 * t55 - PRT__R(0.401771089424162456772);
+    const prt_real t57 = PRT__R(2.15322168769582022424) * (z * t56) - PRT__R(0.975217386560017729543) * t54;
+    const prt_real t58 = PRT__R(2.11804417118980573708) * (z * t57) - PRT__R(0.983662844979209628271) * t56;
+    const prt_real t59 = (((t52 + t54 * f[39]) + t56 * f[53]) + t57 * f[69]) + t58 * f[87];
+    const prt_real t60 = x * (t43 - (t47 + t47));
+    const prt_real t61 = (PRT__R(0.590043589926643510346) * f[15] + t50 * f[23]) + t51 * f[33];
+    const prt_real t62 = (((t61 + t54 * f[45]) + t56 * f[59]) + t57 * f[75]) + t58 * f[93];
+    const prt_real t63 = t43 * t31;
+    const prt_real t64 = t63 + t63;
+    const prt_real t65 = PRT__R(2.075662314881041279) * z;
+    const prt_real t66 = PRT__R(5.5502139080159657518) * t2 - PRT__R(0.504564900728724159254);
+    const prt_real t67 = (PRT__R(0.625835735449176134587) * f[16] + t65 * f[26]) + t66 * f[38];
+    const prt_real t68 = PRT__R(13.4918050467267683135) * t2 - PRT__R(3.11349347232156191849);
+    const prt_real t69 = z * t68;
+    const prt_real t70 = PRT__R(1.0094855015668566765) * t66 - PRT__R(1.22244228452440165368);
+    const prt_real t71 = t66 * t70 - PRT__R(0.395385557652339419216);
+    const prt_real t72 = PRT__R(2.22917715070623519765) * (z * t71) - PRT__R(0.967152839723182214167) * t69;
+    const prt_real t73 = (t43 + t31) * (t43 - t31);
+    const prt_real t74 = (PRT__R(0.625835735449176134587) * f[24] + t65 * f[34]) + t66 * f[46];
+    const prt_real t75 = t64 * (((t67 + t69 * f[52]) + t71 * f[68]) + t72 * f[86]) + t73 * (((t74 + t69 * f[60]) + t71 * f[76]) + t72 * f[94]);
+    const prt_real t76 = PRT__R(2.36661916223175203199) * z;
+    const prt_real t77 = PRT__R(6.74590252336338415674) * t2 - PRT__R(0.518915578720260319749);
+    const prt_real t78 = (PRT__R(0.656382056840170102814) * f[25] + t76 * f[37]) + t77 * f[51];
+    const prt_real t79 = PRT__R(17.2495531104905400876) * t2 - PRT__R(3.44991062209810801752);
+    const prt_real t80 = z * t79;
+    const prt_real t81 = PRT__R(0.910342823558204599004) * t77 - PRT__R(1.22265924807669582645);
+    const prt_real t82 = t77 * t81 - PRT__R(0.392209739345009019975);
+    const prt_real t83 = (PRT__R(0.656382056840170102814) * f[35] + t76 * f[47]) + t77 * f[61];
+    const prt_real t84 = (y * t73 + x * t64) * ((t78 + t80 * f[67]) + t82 * f[85]) + (x * t73 - y * t64) * ((t83 + t80 * f[77]) + t82 * f[95]);
+    const prt_real t85 = t60 * t49;
+    const prt_real t86 = t85 + t85;
+    const prt_real t87 = PRT__R(2.64596066180190022197) * z;
+    const prt_real t88 = PRT__R(7.98499149089313861467) * t2 - PRT__R(0.532332766059542574311);
+    const prt_real t89 = (PRT__R(0.683184105191914321975) * f[36] + t87 * f[50]) + t88 * f[66];
+    const prt_real t90 = PRT__R(21.3928901909086362545) * t2 - PRT__R(3.77521591604270051551);
+    const prt_real t91 = z * t90;
+    const prt_real t92 = (t60 + t49) * (t60 - t49);
+    const prt_real t93 = (PRT__R(0.683184105191914321975) * f[48] + t87 * f[62]) + t88 * f[78];
+    const prt_real t94 = (((t46 + (t49 * t59 + t60 * t62)) + t75) + t84) + (t86 * (t89 + t91 * f[84]) + t92 * (t93 + t91 * f[96]));
+    const prt_real t95 = PRT__R(2.91570664069931947548) * z;
+    const prt_real t96 = PRT__R(9.26339318284890424012) * t2 - PRT__R(0.544905481344053190595);
+    const prt_real t97 = (PRT__R(0.707162732524596178226) * f[49] + t95 * f[65]) + t96 * f[83];
+    const prt_real t98 = (PRT__R(0.707162732524596178226) * f[63] + t95 * f[79]) + t96 * f[97];
+    const prt_real t99 = t94 + ((y * t92 + x * t86) * t97 + (x * t92 - y * t86) * t98);
+    const prt_real t100 = t73 * t64;
+    const prt_real t101 = t100 + t100;
+    const prt_real t102 = PRT__R(3.1773176489546974773) * z;
+    const prt_real t103 = t101 * (PRT__R(0.72892666017482986887) * f[64] + t102 * f[82]);
+    const prt_real t104 = (t73 + t64) * (t73 - t64);
+    const prt_real t105 = t104 * (PRT__R(0.72892666017482986887) * f[80] + t102 * f[98]);
+    const prt_real t106 = (y * t104 + x * t101) * (PRT__R(0.74890095185318829655) * f[81]);
+    const prt_real t107 = (x * t104 - y * t101) * (PRT__R(0.74890095185318829655) * f[99]);
+    out[0] = (t99 + (t103 + t105)) + (t106 + t107);
 }
 
 /* END GENERATED */

@@ -51,32 +51,65 @@ static void phasor(kernel *k, int m, node x, node y, node *re, node *im) {
     }
 }
 
-/* y[l(l+1) +- m] = p(l,m) {Re,Im}(x+iy)^m, m outer and l inner, so that a phasor is done with before the next starts */
-kernel *describe_sh_eval(int bands) {
+/* A kernel of n bands about a direction x, y, z: its columns and phasors */
+typedef struct direction { node x, y, z, z2, re[64], im[64]; xreal sector; } direction;
+
+static kernel *sh_kernel(const char *family, const char *what, int bands, direction *d) {
     char name[64], summary[160];
     kernel *k;
-    node x, y, z, z2, re[64], im[64], p[64];
-    int px, py, pz, out, l, m;
-    xreal sector = x_sqrt(1 / (4 * x_pi()));
-    snprintf(name, sizeof name, "sh_eval_%d", bands);
-    snprintf(summary, sizeof summary, "SH basis, %d band%s", bands, bands == 1 ? "" : "s");
+    snprintf(name, sizeof name, "%s_%d", family, bands);
+    snprintf(summary, sizeof summary, "%s, %d band%s", what, bands, bands == 1 ? "" : "s");
     k = kernel_new(name, summary);
-    px = kernel_param(k, "x", PARAM_SCALAR, 0);
-    py = kernel_param(k, "y", PARAM_SCALAR, 0);
-    pz = kernel_param(k, "z", PARAM_SCALAR, 0);
-    out = kernel_param(k, "out", PARAM_OUTPUT, bands * bands);
-    x = re[1] = k_scalar(k, px);
-    y = im[1] = k_scalar(k, py);
-    z = k_scalar(k, pz);
-    z2 = k_mul(k, z, z);
+    d->x = k_scalar(k, kernel_param(k, "x", PARAM_SCALAR, 0));
+    d->y = k_scalar(k, kernel_param(k, "y", PARAM_SCALAR, 0));
+    d->z = k_scalar(k, kernel_param(k, "z", PARAM_SCALAR, 0));
+    d->z2 = k_mul(k, d->z, d->z);
+    d->re[1] = d->x;
+    d->im[1] = d->y;
+    return k;
+}
+
+/* To be called for m = 0, 1, 2 ...: fills re[m], im[m] and p[m ... bands-1] */
+static void sh_column(kernel *k, int bands, int m, direction *d, node *p) {
+    if (m == 0) d->sector = x_sqrt(1 / (4 * x_pi()));
+    else d->sector *= x_sqrt(x_ratio(2L * m + 1, 2L * m)) * (m == 1 ? x_sqrt(2) : 1);
+    if (m > 1) phasor(k, m, d->x, d->y, d->re, d->im);
+    column(k, bands, m, d->z, d->z2, d->sector, p);
+}
+
+/* y[l(l+1) +- m] = p(l,m) {Re,Im}(x+iy)^m, m outer and l inner, so that a phasor is done with before the next starts */
+kernel *describe_sh_eval(int bands) {
+    direction d;
+    kernel *k = sh_kernel("sh_eval", "SH basis", bands, &d);
+    int out = kernel_param(k, "out", PARAM_OUTPUT, bands * bands), l, m;
+    node p[64];
     for (m = 0; m < bands; m++) {
-        if (m > 1) phasor(k, m, x, y, re, im);
-        if (m) sector *= x_sqrt(x_ratio(2L * m + 1, 2L * m)) * (m == 1 ? x_sqrt(2) : 1);
-        column(k, bands, m, z, z2, sector, p);
+        sh_column(k, bands, m, &d, p);
         for (l = m; l < bands; l++) {
-            if (m) kernel_output(k, out, l * (l + 1) - m, k_mul(k, p[l], im[m]));
-            kernel_output(k, out, l * (l + 1) + m, m ? k_mul(k, p[l], re[m]) : p[l]);
+            if (m) kernel_output(k, out, l * (l + 1) - m, k_mul(k, p[l], d.im[m]));
+            kernel_output(k, out, l * (l + 1) + m, m ? k_mul(k, p[l], d.re[m]) : p[l]);
         }
     }
+    return k;
+}
+
+/* sum of f_i Y_i = sum over m of Re sum_l p(l,m) f(l,m) + Im sum_l p(l,m) f(l,-m): the phasor is met once a column, and no
+   value of the basis is formed. */
+kernel *describe_sh_at(int bands) {
+    direction d;
+    kernel *k = sh_kernel("sh_at", "SH value", bands, &d);
+    int f = kernel_param(k, "f", PARAM_INPUT, bands * bands), out = kernel_param(k, "out", PARAM_OUTPUT, 1), l, m;
+    node p[64], sum = k_const(k, 0);
+    for (m = 0; m < bands; m++) {
+        node plus = k_const(k, 0), minus = k_const(k, 0);
+        sh_column(k, bands, m, &d, p);
+        for (l = m; l < bands; l++) {
+            plus = k_madd(k, p[l], k_element(k, f, l * (l + 1) + m), plus);
+            if (m) minus = k_madd(k, p[l], k_element(k, f, l * (l + 1) - m), minus);
+        }
+        if (m == 0) sum = plus;
+        else sum = k_add(k, sum, k_madd(k, d.re[m], plus, k_mul(k, d.im[m], minus)));
+    }
+    kernel_output(k, out, 0, sum);
     return k;
 }

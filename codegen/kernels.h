@@ -5,7 +5,7 @@
 
 #include "graph.h"
 
-enum { FORM_ONE = 1, FORM_LANES = 2 };                 /* forms that prt.h needs of a family */
+enum { FORM_ONE = 1, FORM_LANES = 2, FORM_SWEPT = 4 }; /* forms that prt.h needs of a family: see language.h */
 
 typedef struct family {
     const char *name;                                  /* as after --emit, and as in prt.h */
@@ -15,5 +15,6 @@ typedef struct family {
 } family;
 
 kernel *describe_sh_eval(int bands);
+kernel *describe_sh_at(int bands);
 
 #endif

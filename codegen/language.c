@@ -17,12 +17,14 @@ static void print_operations(FILE *to, const kernel *k) {
     fprintf(to, ", %d stores", c.stores);
 }
 
-static void open_c_form(FILE *to, const kernel *k, const char *prefix, const char *scalar, int lanes) {
+/* head: storage class; tail: rest of the name; last: parameters after those of the kernel */
+static void open_c_form(FILE *to, const kernel *k, const char *prefix, const char *head, const char *tail, const char *scalar,
+                        const char *last) {
     int i, column;
     fprintf(to, "/* %s: ", k->summary);
     print_operations(to, k);
     fprintf(to, " */\n");
-    column = fprintf(to, "PRT__STATIC void %s%s%s(", prefix, k->name, lanes ? "_v" : "");
+    column = fprintf(to, "%s void %s%s%s(", head, prefix, k->name, tail);
     for (i = 0; i < k->param_count; i++) {
         const param *p = &k->params[i];
         if (i) fprintf(to, ", ");
@@ -33,7 +35,7 @@ static void open_c_form(FILE *to, const kernel *k, const char *prefix, const cha
         case PARAM_OUTPUT: column += fprintf(to, "prt_real *PRT__RESTRICT %s", p->name); break;
         }
     }
-    fprintf(to, "%s) {\n", lanes ? ", size_t stride" : "");
+    fprintf(to, "%s%s) {\n", *last && column + strlen(last) > 116 ? ",\n    " : *last ? ", " : "", last);
     for (i = 0; i < k->param_count; i++) {             /* a kernel need not use every parameter: one band is constant */
         const param *p = &k->params[i];
         int used = 0, j;
@@ -44,25 +46,28 @@ static void open_c_form(FILE *to, const kernel *k, const char *prefix, const cha
     }
 }
 
-static void open_c(FILE *to, const kernel *k, const char *prefix) { open_c_form(to, k, prefix, "prt_real", 0); }
+static void open_c(FILE *to, const kernel *k, const char *prefix) {
+    open_c_form(to, k, prefix, "PRT__STATIC", "", "prt_real", "");
+}
 
 static void load_c(char *text, size_t size, const param *p, int element) {
     if (element < 0) snprintf(text, size, "%s", p->name);
     else snprintf(text, size, "%s[%d]", p->name, element);
 }
 
-static void store_c(FILE *to, const param *p, int element, const char *value, int is_constant) {
+static void store_c(FILE *to, const param *p, int element, const char *value, int is_constant, int number) {
     (void)is_constant;
+    (void)number;
     fprintf(to, "    %s[%d] = %s;\n", p->name, element, value);
 }
 
 const dialect dialect_c = {
-    "c", "const prt_real ", "prt__min", "prt__max", "prt__sqrt", 21, "PRT__R(", ")", open_c, load_c, store_c
+    "c", "const prt_real ", "prt__min", "prt__max", "prt__sqrt", 21, "PRT__R(", ")", open_c, load_c, store_c, NULL
 };
 
 static void open_c_lanes(FILE *to, const kernel *k, const char *prefix) {
     int i;
-    open_c_form(to, k, prefix, "prt__vec", 1);
+    open_c_form(to, k, prefix, "PRT__STATIC", "_v", "prt__vec", "size_t stride");
     for (i = 0; i < k->param_count; i++)
         if (k->params[i].kind != PARAM_SCALAR && k->params[i].count > 1) return;
     fprintf(to, "    (void)stride;\n");
@@ -81,15 +86,56 @@ static void load_c_lanes(char *text, size_t size, const param *p, int element) {
     snprintf(text, size, "prt__vec_load(%s)", address);
 }
 
-static void store_c_lanes(FILE *to, const param *p, int element, const char *value, int is_constant) {
+static void print_store_c_lanes(FILE *to, const param *p, int element, const char *value, int is_constant) {
     char address[64];
     element_address(address, sizeof address, p, element);
-    fprintf(to, is_constant ? "    prt__vec_store(%s, prt__vec_set(%s));\n" : "    prt__vec_store(%s, %s);\n", address, value);
+    fprintf(to, is_constant ? "prt__vec_store(%s, prt__vec_set(%s));\n" : "prt__vec_store(%s, %s);\n", address, value);
+}
+
+static void store_c_lanes(FILE *to, const param *p, int element, const char *value, int is_constant, int number) {
+    (void)number;
+    fprintf(to, "    ");
+    print_store_c_lanes(to, p, element, value, is_constant);
 }
 
 const dialect dialect_c_lanes = {
     "c", "const prt__vec ", "prt__vec_min", "prt__vec_max", "prt__vec_sqrt", 21, "PRT__R(", ")",
-    open_c_lanes, load_c_lanes, store_c_lanes
+    open_c_lanes, load_c_lanes, store_c_lanes, NULL
+};
+
+/* Swept: the kernel is inlined once a sweep with constant bounds on the number of the store, which leaves of it just what
+   the stores of the sweep need. */
+enum { SWEEP_ROWS = 8 };
+
+static void open_c_swept(FILE *to, const kernel *k, const char *prefix) {
+    open_c_form(to, k, prefix, "PRT__INLINE", "_part", "prt__vec", "size_t stride, int first, int last");
+    if (k->output_count == 1) fprintf(to, "    (void)stride;\n");
+}
+
+static void store_c_swept(FILE *to, const param *p, int element, const char *value, int is_constant, int number) {
+    fprintf(to, "    if (first <= %d && %d < last)%s", number, number, strlen(value) > 52 ? "\n        " : " ");
+    print_store_c_lanes(to, p, element, value, is_constant);
+}
+
+/* The sweeps over `vectors` vectors of items, scalar parameters as arrays; all sweeps but the last have equally many rows. */
+static void close_c_swept(FILE *to, const kernel *k, const char *prefix) {
+    int parts = (k->output_count + SWEEP_ROWS - 1) / SWEEP_ROWS, rows = (k->output_count + parts - 1) / parts, first, i;
+    fprintf(to, "PRT__STATIC void %s%s_v(int vectors", prefix, k->name);
+    for (i = 0; i < k->param_count; i++)
+        fprintf(to, k->params[i].kind == PARAM_OUTPUT ? ",\n    prt_real *PRT__RESTRICT %s" : ", const prt_real *%s", k->params[i].name);
+    fprintf(to, ", size_t stride) {\n    int k;\n");
+    for (first = 0; first < k->output_count; first += rows) {
+        fprintf(to, "    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)\n        %s%s_part(", prefix, k->name);
+        for (i = 0; i < k->param_count; i++)
+            fprintf(to, k->params[i].kind == PARAM_SCALAR ? "prt__vec_load(%s + k), " : "%s + k, ", k->params[i].name);
+        fprintf(to, "stride, %d, %d);\n", first, first + rows < k->output_count ? first + rows : k->output_count);
+    }
+    fprintf(to, "}\n\n");
+}
+
+const dialect dialect_c_swept = {
+    "c", "const prt__vec ", "prt__vec_min", "prt__vec_max", "prt__vec_sqrt", 21, "PRT__R(", ")",
+    open_c_swept, load_c_lanes, store_c_swept, close_c_swept
 };
 
 /* ---- expressions and statements, common to all languages ---- */
@@ -162,8 +208,9 @@ void print_kernel(FILE *to, const dialect *d, kernel *k, const char *prefix) {
         const output *o = &k->outputs[i];
         char text[EXPRESSION_MAX];
         expression(&p, o->value, text, ALONE);
-        d->store(to, &k->params[o->param], o->element, text, k->nodes[o->value].op == OP_CONST);
+        d->store(to, &k->params[o->param], o->element, text, k->nodes[o->value].op == OP_CONST, i);
     }
     fprintf(to, "}\n\n");
+    if (d->close) d->close(to, k, prefix);
     free(p.temporary);
 }

@@ -14,11 +14,14 @@ typedef struct dialect {
     const char *const_open, *const_close;              /* around a constant */
     void (*open)(FILE *to, const kernel *k, const char *prefix);     /* comment and signature, up to the opening brace */
     void (*load)(char *text, size_t size, const param *p, int element);
-    void (*store)(FILE *to, const param *p, int element, const char *value, int is_constant);
+    void (*store)(FILE *to, const param *p, int element, const char *value, int is_constant, int number);
+    void (*close)(FILE *to, const kernel *k, const char *prefix);    /* after the closing brace; NULL: nothing */
 } dialect;
 
-/* "prt.h": the two forms that stand in the header, one direction (or vector) a call and prt__vec lanes at once. */
-extern const dialect dialect_c, dialect_c_lanes;
+/* The forms that stand in prt.h: scalars, one item a call; prt__vec, PRT__LANES items a call; and prt__vec over arrays of
+   items, the stores in sweeps of at most eight rows: more rows whose distance is a multiple of 4096 bytes would evict
+   each other from a first-level cache of 8 to 12 ways before their lines are full. */
+extern const dialect dialect_c, dialect_c_lanes, dialect_c_swept;
 
 void print_kernel(FILE *to, const dialect *d, kernel *k, const char *prefix);
 

@@ -18,7 +18,8 @@
 #include "language.h"
 
 static const family families[] = {
-    { "sh_eval", 1, 10, FORM_ONE | FORM_LANES, describe_sh_eval },
+    { "sh_eval", 1, 10, FORM_ONE | FORM_SWEPT, describe_sh_eval },
+    { "sh_at", 1, 10, FORM_ONE, describe_sh_at },
 };
 enum { FAMILY_COUNT = (int)(sizeof families / sizeof families[0]) };
 
@@ -48,6 +49,7 @@ static void print_forms(FILE *to, const family *f, int bands) {
     kernel *k = f->describe(bands);
     if (f->forms & FORM_ONE) print_kernel(to, &dialect_c, k, "prt__");
     if (f->forms & FORM_LANES) print_kernel(to, &dialect_c_lanes, k, "prt__");
+    if (f->forms & FORM_SWEPT) print_kernel(to, &dialect_c_swept, k, "prt__");
     kernel_free(k);
 }
 
