@@ -88,6 +88,11 @@
      [Sloan 2013]        Sloan: Efficient Spherical Harmonic Evaluation. JCGT 2(2), 2013
      [Trapani 2006]      Trapani, Navaza: Calculation of spherical harmonics and Wigner d functions by FFT. Acta
                          Crystallographica A 62, 2006
+     [Van Oosterom 1983] Van Oosterom, Strackee: The Solid Angle of a Plane Triangle. IEEE Transactions on Biomedical
+                         Engineering 30(2), 1983
+     [Adams 1878]        Adams: On the Expression of the Product of Any Two Legendre's Coefficients by Means of a
+                         Series of Legendre's Coefficients. Proceedings of the Royal Society of London 27, 1878
+     [Szego 1939]        Szego: Orthogonal Polynomials, section 7.7. AMS Colloquium Publications 23, 1939
      [Chapter 2010]      Chapter: Textured Hierarchical Precomputed Radiance Transfer. Cal Poly 2010
 */
 #ifndef PRT_H_INCLUDED
@@ -163,6 +168,82 @@ PRTDEF prt_real   prt_sh_dot    (int bands, const prt_real *f, const prt_real *g
 
 /* ----------------------------------------------------------------------------------------------- >>project ---- */
 
+/* Projection turns a function on the sphere into coefficients f_i = int f Y_i dw. Axially symmetric functions
+   F(axis.w) go by the Funk-Hecke theorem, f_lm = g_l Y_lm(axis) with g_l = 2 pi int_-1^1 F(t) P_l(t) dt = sqrt(4
+   pi/(2l+1)) z_l, z_l the m = 0 coefficient of F about +z [Ramamoorthi 2001, Sloan 2008]; every light below is such
+   a closed form, and nothing is sampled. Factors g_l are computed in double. Directions and axes must have length 1
+   within 1e-3, and are normalised. Errors common to all: PRT_ERR_BANDS, PRT_ERR_NULL (f), PRT_ERR_VALUE (a value
+   that is not finite, or out of the range given). f holds n^2 values. */
+
+/* f += value_times_weight Y(dir): one sample of a quadrature or Monte Carlo estimate of int f Y dw,
+   value_times_weight = f(dir)/(N pdf(dir)) or f(dir) dw. dir: unit. A per-sample function: values are not checked.
+   Cost: one evaluation and n^2 multiply-adds. Add many samples in double, or in batches, where float sums grow
+   long. */
+PRTDEF prt_result prt_sh_add_sample(int bands, prt_vec3 dir, prt_real value_times_weight, prt_real *f);
+
+/* A unit delta towards dir, f = Y(dir): the directional light that gives irradiance 1 to a surface facing it.
+   dir: from the scene to the light. Cost: one evaluation. Error: that of prt_sh_eval. */
+PRTDEF prt_result prt_sh_delta(int bands, prt_vec3 dir, prt_real *f);
+
+/* 1 within half_angle of axis, 0 outside: sun, moon, spotlight. half_angle: radians, 0 ... pi (pi as rounded to
+   prt_real). g_0 = 2 pi (1 - c), g_l = 2 pi (P_l-1(c) - P_l+1(c))/(2l+1), c = cos(half_angle), computed as pi
+   sin^2(half_angle) u_l with u_l = 2 P'_l(c)/(l(l+1)) (at c = 1 all u_l = 1), by the recurrence for differences
+   (l+2)(u_l+1 - u_l) = (l-1)(u_l - u_l-1) - (2l+1)(1-c) u_l: no cancellation however small the cap (or its
+   complement). Divide f by 2 pi (1 - c) to spread one unit of irradiance over the cap. Cost: one evaluation, 5n +
+   n^2 multiplies. Error of g_l relative to pi sin^2(half_angle): below 1e-15 at 64 bands, any angle
+   (tests/test_project.c). */
+PRTDEF prt_result prt_sh_cone(int bands, prt_vec3 axis, prt_real half_angle, prt_real *f);
+
+/* 1 where a sphere of this radius, its centre at to_centre from the viewer, is seen, 0 elsewhere: the cone of sine
+   radius/|to_centre|. A viewer inside sees it everywhere (f = 2 sqrt(pi), 0, 0 ...), on its surface over a
+   hemisphere; radius 0 covers nothing. to_centre: any finite vector; radius >= 0, same unit. cos =
+   sqrt((d-r)(d+r))/d and 1 - cos = sin^2/(1+cos): accurate for far and for grazing spheres alike. Cost and error as
+   prt_sh_cone. */
+PRTDEF prt_result prt_sh_sphere(int bands, prt_vec3 to_centre, prt_real radius, prt_real *f);
+
+/* max(0, axis.w), the clamped cosine: g = pi, 2 pi/3, pi/4, 0, -pi/24, 0, pi/64 ... [Ramamoorthi 2001], by g_l+2 =
+   g_l (1-l)/(l+4), exact for every band. Divided by pi it is the transfer of an unshadowed surface of normal axis.
+   Cost: one evaluation, n^2 + n multiplies. */
+PRTDEF prt_result prt_sh_cosine_lobe(int bands, prt_vec3 axis, prt_real *f);
+
+/* `above` where up.w > 0, `below` where up.w < 0: sky and ground. Even bands beyond 0 are exactly 0.
+   above, below: finite, any sign. Cost: one evaluation, n^2 + n multiplies. */
+PRTDEF prt_result prt_sh_hemisphere(int bands, prt_vec3 up, prt_real above, prt_real below, prt_real *f);
+
+/* ENVIRONMENT MAPS. light = sum over texels of value * Y(direction of the texel's centre) * solid angle of the
+   texel, solid angles exact (they sum to 4 pi), everything accumulated in double. light: 3 n^2 values, planes r, g,
+   b, not overlapping the texels. rgb: linear, 3 floats a texel, row after row without padding, negative values
+   allowed; a texel that is not finite gives PRT_ERR_VALUE. The map must be finer than the bands ask for: taking Y
+   at the centre, rather than its mean over the texel, costs about l(l+1) a^2/24 of a texel's share in band l, a =
+   the texel's width in radians; a constant map of h rows leaves about sqrt(2l+1) (pi/h)^2/24 of its mean in the
+   even bands (5.6e-5 in band 2 of a 256 x 128 map, see docs/accuracy.md). Values sampled from a smooth function, or
+   averages over texels, come nearer to that function by centres than by means over texels, which would blur them
+   once more. Nothing is allocated; stack about 1 KiB times PRT_MAX_BANDS. Sizes below 1, or too large for size_t,
+   give PRT_ERR_COUNT. */
+
+/* Latitude-longitude map: row 0 is +z; texel (i,j) has its centre at theta = pi (j+1/2)/height from +z, phi = 2 pi
+   (i+1/2)/width from +x towards +y, and covers (2 pi/width)(cos theta_j - cos theta_j+1). Any width and height.
+   Separable: first sums over columns (four columns folded into one by the symmetries of the sine), then Legendre
+   functions for pairs of rows. Cost: width height (3 + 2.5 n) + height n^2 multiply-adds for n <= 16. */
+PRTDEF prt_result prt_sh_project_equirect_rgb(int bands, int width, int height, const float *rgb, prt_real *light);
+
+/* Cube map, faces +x -x +y -y +z -z of size x size texels in OpenGL's orientation (table 8.19 of the OpenGL 4.5
+   specification), row 0 is t = 0: the first texel of +x lies towards (1,1,1). Texel centres at s, t = (2i+1)/size -
+   1 on the face. A texel's solid angle is that of its two triangles [Van Oosterom 1983], without cancellation at
+   any size. The eight mirror images of a texel are folded into one evaluation. Cost: 6 size^2 (3 + 4.5 n^2/8)
+   multiply-adds. */
+PRTDEF prt_result prt_sh_project_cubemap_rgb(int bands, int size, const float *const faces[6], prt_real *light);
+
+/* Convolution with a zonal kernel: out_lm = sqrt(4 pi/(2l+1)) zonal_l f_lm [Ramamoorthi 2001], (f*k)(w) = int f(v)
+   k(w.v) dv. zonal[n]: the kernel's m = 0 coefficients about +z. out may alias f. Values are not checked. Cost: n^2
+   + 2n multiplies. */
+PRTDEF prt_result prt_sh_convolve(int bands, const prt_real *f, const prt_real *zonal, prt_real *out);
+
+/* Irradiance from radiance, E(N) = int L(w) max(0, N.w) dw: band l times pi, 2 pi/3, pi/4, 0, -pi/24, 0, pi/64 ...
+   (the factors of prt_sh_cosine_lobe) [Ramamoorthi 2001]. out may alias radiance. Values are not checked.
+   Cost: n^2 + n multiplies. Error: 1 ulp of each coefficient. */
+PRTDEF prt_result prt_sh_irradiance(int bands, const prt_real *radiance, prt_real *out);
+
 /* ----------------------------------------------------------------------------------------------- >>convert ---- */
 
 /* Coefficients of other programs. A convention says which function the numbers stand for, as a polynomial in the
@@ -228,6 +309,30 @@ PRTDEF prt_result prt_sh_map_axes(int bands, const int axes[3], const prt_real *
 PRTDEF prt_result prt_sh_convert_axes(int bands, const char *from, const char *to, const prt_real *f, prt_real *out);
 
 /* ------------------------------------------------------------------------------------------------ >>window ---- */
+
+/* Windows taper the bands so that a function cut off at n bands rings less: out_lm = w(l) f_lm, a convolution with a
+   kernel whose factors are w(l). They act on the band l, never on the index of a coefficient. */
+typedef enum prt_window { PRT_WINDOW_NONE = 0, PRT_WINDOW_HANN, PRT_WINDOW_LANCZOS, PRT_WINDOW_POSITIVE } prt_window;
+
+/* The weight w(l) of band l in a window of this width, 0 for l >= width:
+     NONE      1
+     HANN      (1 + cos(pi l/width))/2
+     LANCZOS   sin(pi l/width)/(pi l/width)
+     POSITIVE  the Legendre moments, over the 0th, of the sharpest non-negative kernel of degree d = width-1:
+               [P_k+1(z)/(z-z*)]^2 for d = 2k, (1+z) [P^(0,1)_k+1(z)/(z-z*)]^2 for d = 2k+1, z* the largest root
+               [Szego 1939]. Keeps 0 <= f <= sup f for every non-negative f.
+               Width 3: 1 .57735 .2; width 6: 1 .82282 .57611 .32616 .14039 .03568.
+   w(0) = 1 for all. Width = bands leaves something of every band; width = bands-1 makes Hann drop the last.
+   Returns 0 for l < 0, width < 1, an unknown window, and for POSITIVE wider than PRT_MAX_BANDS.
+   Cost: one sine; POSITIVE about width^2/8 multiply-adds. Error relative to w(l): 1 ulp, in double 4 ulp; POSITIVE
+   1 ulp, in double 3e-16 width (tests/test_window.c). */
+PRTDEF prt_real prt_window_weight(prt_window w, int l, int width);
+
+/* out_lm = w(l) f_lm with the weights of prt_window_weight. width >= 1, and for POSITIVE <= PRT_MAX_BANDS, else
+   PRT_ERR_COUNT; an unknown window is PRT_ERR_VALUE. Bands from width on become 0. out may alias f. Values of f are
+   not checked. Cost: n^2 multiplies and n weights (POSITIVE: width^3/24 multiply-adds; keep the weights if you need
+   them often). */
+PRTDEF prt_result prt_sh_window(int bands, prt_window w, int width, const prt_real *f, prt_real *out);
 
 /* ----------------------------------------------------------------------------------------------- >>product ---- */
 
@@ -792,6 +897,509 @@ PRTDEF prt_real prt_sh_dot(int bands, const prt_real *f, const prt_real *g) {
 
 /* ----------------------------------------------------------------------------------------------- >>project ---- */
 
+/* The direction at length 1; 0 if it is not finite or its length differs from 1 by more than 1e-3. */
+PRT__STATIC int prt__unit(prt_vec3 v, prt_vec3 *unit) {
+    double x = (double)v.x, y = (double)v.y, z = (double)v.z, length = sqrt(x * x + y * y + z * z);
+    if (!(fabs(length - 1) <= 1e-3)) return 0;
+    unit->x = (prt_real)(x / length);
+    unit->y = (prt_real)(y / length);
+    unit->z = (prt_real)(z / length);
+    return 1;
+}
+
+/* out_lm = factor_l f_lm; out may be f. */
+PRT__STATIC void prt__scale_bands(int bands, const double *factor, const prt_real *f, prt_real *out) {
+    int l, i = 0;
+    for (l = 0; l < bands; l++)
+        for (; i < PRT_SH_COUNT(l + 1); i++) out[i] = (prt_real)(factor[l] * (double)f[i]);
+}
+
+/* A function about an axis from its Funk-Hecke factors. */
+PRT__STATIC void prt__zonal_light(int bands, const double *factor, prt_vec3 axis, prt_real *f) {
+    prt_sh_eval(bands, axis, f);
+    prt__scale_bands(bands, factor, f, f);
+}
+
+/* Factors of a cap from sin^2 and h = 1 - cos of its half-angle, which is at most pi/2; `outside`: of all the rest.
+   */
+PRT__STATIC void prt__cap_factors(int bands, double sin2, double h, int outside, double *factor) {
+    double u = 1, step = 0, sign = 1;
+    int l;
+    factor[0] = outside ? 2 * PRT__PI * (2 - h) : 2 * PRT__PI * h;
+    for (l = 1; l < bands; l++) {
+        factor[l] = sign * PRT__PI * sin2 * u;
+        step = ((l - 1) * step - (2 * l + 1) * h * u) / (l + 2);
+        u += step;
+        if (outside) sign = -sign;
+    }
+}
+
+/* pi, 2 pi/3, pi/4, 0, -pi/24, 0, pi/64 ... */
+PRT__STATIC void prt__cosine_factors(int bands, double *factor) {
+    int l;
+    factor[0] = PRT__PI;
+    if (bands > 1) factor[1] = 2 * PRT__PI / 3;
+    for (l = 2; l < bands; l++) factor[l] = factor[l - 2] * (3 - l) / (l + 2);
+}
+
+/* 1 above and -1 below: 4 pi int_0^1 P_l for odd l, 0 for even l. */
+PRT__STATIC void prt__sign_factors(int bands, double *factor) {
+    int l;
+    factor[0] = 0;
+    if (bands > 1) factor[1] = 2 * PRT__PI;
+    for (l = 2; l < bands; l++) factor[l] = factor[l - 2] * (2 - l) / (l + 1);
+}
+
+PRTDEF prt_result prt_sh_add_sample(int bands, prt_vec3 dir, prt_real value_times_weight, prt_real *f) {
+    prt_real y[PRT_SH_COUNT(PRT_MAX_BANDS)];
+    int i;
+    if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
+    if (!f) return PRT_ERR_NULL;
+    prt_sh_eval(bands, dir, y);
+    for (i = 0; i < PRT_SH_COUNT(bands); i++) f[i] += value_times_weight * y[i];
+    return PRT_OK;
+}
+
+PRTDEF prt_result prt_sh_delta(int bands, prt_vec3 dir, prt_real *f) {
+    if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
+    if (!f) return PRT_ERR_NULL;
+    if (!prt__unit(dir, &dir)) return PRT_ERR_VALUE;
+    return prt_sh_eval(bands, dir, f);
+}
+
+PRTDEF prt_result prt_sh_cone(int bands, prt_vec3 axis, prt_real half_angle, prt_real *f) {
+    double factor[PRT_MAX_BANDS], angle, sine, half;
+    int wide;
+    if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
+    if (!f) return PRT_ERR_NULL;
+    if (!prt__unit(axis, &axis) || !(half_angle >= 0 && half_angle <= PRT__R(PRT__PI))) return PRT_ERR_VALUE;
+    angle = (double)half_angle;
+    wide = angle > PRT__PI / 2;
+    if (wide) angle = angle < PRT__PI ? PRT__PI - angle : 0;          /* float rounds pi up */
+    sine = sin(angle);
+    half = sin(angle / 2);
+    prt__cap_factors(bands, sine * sine, 2 * half * half, wide, factor);
+    prt__zonal_light(bands, factor, axis, f);
+    return PRT_OK;
+}
+
+PRTDEF prt_result prt_sh_sphere(int bands, prt_vec3 to_centre, prt_real radius, prt_real *f) {
+    double factor[PRT_MAX_BANDS], scale, x, y, z, r, d, sin2 = 0, h = 0;
+    int inside;
+    if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
+    if (!f) return PRT_ERR_NULL;
+    if (!prt__finite3(to_centre) || !prt__finite(radius) || radius < 0) return PRT_ERR_VALUE;
+    x = (double)to_centre.x; y = (double)to_centre.y; z = (double)to_centre.z; r = (double)radius;
+    scale = fmax(r, fmax(fabs(x), fmax(fabs(y), fabs(z))));           /* so that no square overflows */
+    if (scale > 0) { x /= scale; y /= scale; z /= scale; r /= scale; }
+    d = sqrt(x * x + y * y + z * z);
+    inside = d < r;
+    to_centre.x = 0; to_centre.y = 0; to_centre.z = 1;
+    if (d > 0) {
+        to_centre.x = (prt_real)(x / d); to_centre.y = (prt_real)(y / d); to_centre.z = (prt_real)(z / d);
+        if (!inside) {
+            sin2 = (r / d) * (r / d);
+            h = sin2 / (1 + sqrt((d - r) * (d + r)) / d);
+        }
+    }
+    prt__cap_factors(bands, sin2, h, inside, factor);
+    prt__zonal_light(bands, factor, to_centre, f);
+    return PRT_OK;
+}
+
+PRTDEF prt_result prt_sh_cosine_lobe(int bands, prt_vec3 axis, prt_real *f) {
+    double factor[PRT_MAX_BANDS];
+    if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
+    if (!f) return PRT_ERR_NULL;
+    if (!prt__unit(axis, &axis)) return PRT_ERR_VALUE;
+    prt__cosine_factors(bands, factor);
+    prt__zonal_light(bands, factor, axis, f);
+    return PRT_OK;
+}
+
+PRTDEF prt_result prt_sh_hemisphere(int bands, prt_vec3 up, prt_real above, prt_real below, prt_real *f) {
+    double factor[PRT_MAX_BANDS], step;
+    int l;
+    if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
+    if (!f) return PRT_ERR_NULL;
+    if (!prt__unit(up, &up) || !prt__finite(above) || !prt__finite(below)) return PRT_ERR_VALUE;
+    step = (double)above / 2 - (double)below / 2;
+    prt__sign_factors(bands, factor);
+    for (l = 1; l < bands; l++) factor[l] *= step;
+    factor[0] = 4 * PRT__PI * ((double)above / 2 + (double)below / 2);
+    prt__zonal_light(bands, factor, up, f);
+    return PRT_OK;
+}
+
+/* Vectors of doubles for the sums over texels. */
+#if PRT__SIMD
+#  define PRT__WIDE_LANES (PRT__VEC_BYTES / 8)
+typedef double prt__wide __attribute__((vector_size(PRT__VEC_BYTES)));
+#else
+#  define PRT__WIDE_LANES 1
+typedef double prt__wide;
+#endif
+
+PRT__INLINE prt__wide prt__wide_load(const double *p) { prt__wide v; memcpy(&v, p, sizeof v); return v; }
+PRT__INLINE void prt__wide_store(double *p, prt__wide v) { memcpy(p, &v, sizeof v); }
+
+/* Adds the lanes of six vectors to six sums. */
+PRT__INLINE void prt__wide_add6(const prt__wide v[6], double *sum) {
+    double lane[PRT__WIDE_LANES];
+    int k, i;
+    for (k = 0; k < 6; k++) {
+        prt__wide_store(lane, v[k]);
+        for (i = 0; i < PRT__WIDE_LANES; i++) sum[k] += lane[i];
+    }
+}
+
+enum { PRT__ORDERS = 16,          /* orders m that one pass over a map gathers */
+       PRT__TEXELS = 32 };         /* texels, after folding, worked on at a time */
+
+/* What one pass over a map gathers, orders first <= m < last of every band: sum[m-first][l] holds r, g, b of (l,m),
+   then of (l,-m). p(l,m) = a z p(l-1,m) - b p(l-2,m) from p(m,m) = sector: the recurrence of prt_sh_eval in double.
+   */
+typedef struct prt__gather {
+    int bands, first, last;
+    double sector[PRT__ORDERS], a[PRT__ORDERS][PRT_MAX_BANDS], b[PRT__ORDERS][PRT_MAX_BANDS];
+    double sum[PRT__ORDERS][PRT_MAX_BANDS][6];
+} prt__gather;
+
+PRT__STATIC void prt__gather_start(prt__gather *g, int bands, int first) {
+    double norm = 1 / (4 * PRT__PI);
+    int m, l;
+    g->bands = bands;
+    g->first = first;
+    g->last = first + PRT__ORDERS < bands ? first + PRT__ORDERS : bands;
+    for (m = 1; m < first; m++) norm *= (2 * m + 1) / (2.0 * m);
+    for (m = first; m < g->last; m++) {
+        double *a = g->a[m - first], *b = g->b[m - first];
+        if (m > 0) norm *= (2 * m + 1) / (2.0 * m);
+        g->sector[m - first] = sqrt(m > 0 ? 2 * norm : norm);
+        for (l = m + 1; l < bands; l++) {
+            a[l] = sqrt((2.0 * l - 1) * (2.0 * l + 1) / ((double)(l - m) * (l + m)));
+            b[l] = l > m + 1 ? a[l] / a[l - 1] : 0;
+        }
+    }
+    memset(g->sum, 0, sizeof g->sum);
+}
+
+PRT__STATIC void prt__gather_write(const prt__gather *g, prt_real *light) {
+    int count = PRT_SH_COUNT(g->bands), m, l, c;
+    for (m = g->first; m < g->last; m++)
+        for (l = m; l < g->bands; l++)
+            for (c = 0; c < 3; c++) {
+                const double *sum = g->sum[m - g->first][l];
+                light[c * count + PRT_SH_INDEX(l, m)] = (prt_real)sum[c];
+                if (m > 0) light[c * count + PRT_SH_INDEX(l, -m)] = (prt_real)sum[3 + c];
+            }
+}
+
+/* The sums of band 0 weigh every texel by a positive number, so that one texel that is not finite shows in them. */
+PRT__STATIC int prt__gather_finite(const prt__gather *g) {
+    const double *sum = g->sum[0][0];
+    return sum[0] - sum[0] == 0 && sum[1] - sum[1] == 0 && sum[2] - sum[2] == 0;
+}
+
+/* cos and sin of m times a texel's centre, k half texels of `width` in a turn; k stays exact however large m. */
+PRT__STATIC void prt__column_phase(uint64_t k, int width, double *re, double *im) {
+    double angle = PRT__PI * (double)(k % (2 * (uint64_t)width)) / width;
+    *re = cos(angle);
+    *im = sin(angle);
+}
+
+/* Columns of one row of a latitude-longitude map. fold[m odd] holds, for each column of the first quarter turn, the
+   sums with its images at -phi, pi-phi and pi+phi that cos m phi (r, g, b) and sin m phi (r, g, b) ask for; re, im:
+   of the pass's first order; x, y: cos phi and sin phi. */
+typedef struct prt__columns {
+    double fold[2][6][PRT__TEXELS], re[PRT__TEXELS], im[PRT__TEXELS], x[PRT__TEXELS], y[PRT__TEXELS];
+} prt__columns;
+
+/* e^(i order phi) for the columns of a block, from that of its first column and the steps[2][PRT__TEXELS] between
+   them. */
+PRT__STATIC void prt__column_phasors(int width, int from, int order, const double *steps, double *re, double *im) {
+    double c, s;
+    int i;
+    prt__column_phase((uint64_t)order * (2 * (uint64_t)from + 1), width, &c, &s);
+    for (i = 0; i < PRT__TEXELS; i++) {
+        re[i] = c * steps[i] - s * steps[PRT__TEXELS + i];
+        im[i] = s * steps[i] + c * steps[PRT__TEXELS + i];
+    }
+}
+
+/* A column that is its own image counts half. An odd width has no images at pi-phi and pi+phi. */
+PRT__STATIC void prt__fold_columns(int width, const float *row, int from, int to, prt__columns *block) {
+    int half = width / 2, odd = width % 2, i, c;
+    for (i = from; i < to; i++) {
+        double share = i == (odd ? half : half - 1 - i) ? 0.5 : 1, far_share = odd ? 0 : share;
+        const float *v0 = row + 3 * (size_t)i, *v1 = row + 3 * (size_t)(width - 1 - i);
+        const float *v2 = odd ? v0 : row + 3 * (size_t)(half - 1 - i), *v3 = odd ? v1 : row + 3 * (size_t)(half + i);
+        for (c = 0; c < 3; c++) {
+            double sum = share * ((double)v0[c] + (double)v1[c]), step = share * ((double)v0[c] - (double)v1[c]);
+            double far_sum = far_share * ((double)v2[c] + (double)v3[c]);
+            double far_step = far_share * ((double)v2[c] - (double)v3[c]);
+            block->fold[0][c][i - from] = sum + far_sum;
+            block->fold[1][c][i - from] = sum - far_sum;
+            block->fold[0][3 + c][i - from] = step - far_step;
+            block->fold[1][3 + c][i - from] = step + far_step;
+        }
+    }
+}
+
+/* Adds a block's part of sum_i v_i e^(i m phi_i) for the orders of a pass; moves the block's phasors on. */
+PRT__STATIC void prt__sum_columns(int orders, int first, prt__columns *block, double (*sum)[6]) {
+    int m, i, k;
+    for (m = 0; m < orders; m++) {
+        double (*fold)[PRT__TEXELS] = block->fold[(first + m) & 1];
+        prt__wide acc[6];
+        memset(acc, 0, sizeof acc);
+        for (i = 0; i < PRT__TEXELS; i += PRT__WIDE_LANES) {
+            prt__wide re = prt__wide_load(block->re + i), im = prt__wide_load(block->im + i);
+            prt__wide x = prt__wide_load(block->x + i), y = prt__wide_load(block->y + i);
+            for (k = 0; k < 3; k++) {
+                acc[k] += re * prt__wide_load(fold[k] + i);
+                acc[3 + k] += im * prt__wide_load(fold[3 + k] + i);
+            }
+            prt__wide_store(block->re + i, re * x - im * y);
+            prt__wide_store(block->im + i, re * y + im * x);
+        }
+        prt__wide_add6(acc, sum[m]);
+    }
+}
+
+/* The steps between columns that prt__column_phasors takes, of order 1 and of the pass's first order. */
+typedef struct prt__column_steps { double one[2 * PRT__TEXELS], first[2 * PRT__TEXELS]; } prt__column_steps;
+
+PRT__STATIC void prt__gather_row(const prt__gather *g, const prt__column_steps *steps, int width, const float *row,
+                                 double (*sum)[6]) {
+    int columns = width % 2 ? width / 2 + 1 : (width / 2 + 1) / 2, from;
+    prt__columns block;
+    memset(sum, 0, PRT__ORDERS * sizeof *sum);
+    for (from = 0; from < columns; from += PRT__TEXELS) {
+        int to = from + PRT__TEXELS;
+        if (to > columns) { to = columns; memset(block.fold, 0, sizeof block.fold); }
+        prt__fold_columns(width, row, from, to, &block);
+        prt__column_phasors(width, from, 1, steps->one, block.x, block.y);
+        prt__column_phasors(width, from, g->first, steps->first, block.re, block.im);
+        prt__sum_columns(g->last - g->first, g->first, &block, sum);
+    }
+}
+
+/* Legendre functions for a row at z and its mirror image at -z: p(l,m) is even in z where l-m is, odd elsewhere. */
+PRT__STATIC void prt__gather_rows(prt__gather *g, double z, double sine, double weight, double (*north)[6],
+                                  double (*south)[6]) {
+    double power = weight * pow(sine, g->first);
+    int m, l, k;
+    for (m = 0; m < g->last - g->first; m++, power *= sine) {
+        double p = g->sector[m] * power, p1 = 0, part[2][6];
+        for (k = 0; k < 6; k++) {
+            part[0][k] = north[m][k] + south[m][k];
+            part[1][k] = north[m][k] - south[m][k];
+        }
+        for (l = g->first + m; l < g->bands; l++) {
+            const double *v = part[(l - g->first - m) & 1];
+            if (l > g->first + m) {
+                double p2 = p1;
+                p1 = p;
+                p = g->a[m][l] * z * p1 - g->b[m][l] * p2;
+            }
+            for (k = 0; k < 6; k++) g->sum[m][l][k] += p * v[k];
+        }
+    }
+}
+
+PRT__STATIC void prt__gather_equirect(prt__gather *g, int width, int height, const float *rgb) {
+    double north[PRT__ORDERS][6], south[PRT__ORDERS][6];
+    prt__column_steps steps;
+    int i, j;
+    for (i = 0; i < PRT__TEXELS; i++) {
+        prt__column_phase(2 * (uint64_t)i, width, steps.one + i, steps.one + PRT__TEXELS + i);
+        prt__column_phase(2 * (uint64_t)i * (uint64_t)g->first, width, steps.first + i, steps.first + PRT__TEXELS + i);
+    }
+    for (j = 0; j < height / 2 + height % 2; j++) {
+        int mirror = height - 1 - j;
+        double theta = PRT__PI * (j + 0.5) / height, sine = sin(theta);
+        double weight = 4 * PRT__PI / width * sine * sin(PRT__PI / (2.0 * height));
+        prt__gather_row(g, &steps, width, rgb + (size_t)j * (size_t)width * 3, north);
+        if (mirror != j) prt__gather_row(g, &steps, width, rgb + (size_t)mirror * (size_t)width * 3, south);
+        else memset(south, 0, sizeof south);
+        prt__gather_rows(g, cos(theta), sine, weight, north, south);
+    }
+}
+
+PRTDEF prt_result prt_sh_project_equirect_rgb(int bands, int width, int height, const float *rgb, prt_real *light) {
+    prt__gather g;
+    int first;
+    if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
+    if (width < 1 || height < 1 || (size_t)width > SIZE_MAX / (3 * sizeof *rgb) / (size_t)height) return PRT_ERR_COUNT;
+    if (!rgb || !light) return PRT_ERR_NULL;
+    for (first = 0; first < bands; first += PRT__ORDERS) {
+        prt__gather_start(&g, bands, first);
+        prt__gather_equirect(&g, width, height, rgb);
+        if (first == 0 && !prt__gather_finite(&g)) return PRT_ERR_VALUE;
+        prt__gather_write(&g, light);
+    }
+    return PRT_OK;
+}
+
+/* Solid angle of the rectangle x0 ... x1, y0 ... y1 of the plane z = 1: two triangles, tan(omega/2) = a.(b x c) /
+   (|a||b||c| + (a.b)|c| + (b.c)|a| + (c.a)|b|) [Van Oosterom 1983]; the triple product is the area, free of
+   cancellation. */
+PRT__STATIC double prt__rectangle_solid_angle(double x0, double x1, double y0, double y1) {
+    double a = sqrt(x0 * x0 + y0 * y0 + 1), b = sqrt(x1 * x1 + y0 * y0 + 1), area = (x1 - x0) * (y1 - y0);
+    double c = sqrt(x1 * x1 + y1 * y1 + 1), d = sqrt(x0 * x0 + y1 * y1 + 1), ac = x0 * x1 + y0 * y1 + 1;
+    double ab = x0 * x1 + y0 * y0 + 1, bc = x1 * x1 + y0 * y1 + 1, cd = x0 * x1 + y1 * y1 + 1;
+    double da = x0 * x0 + y0 * y1 + 1;
+    return 2 * (atan2(area, a * b * c + ab * c + bc * a + ac * b) + atan2(area, a * c * d + ac * d + cd * a + da * c));
+}
+
+/* Texels of a cube map folded into the octant x, y, z >= 0. A real Y(l,m) is even or odd in each of x, y and z; bit
+   0, 1, 2 of a class set: odd in x, y, z. value[class][r, g, b]: solid angle times sum over the eight images of
+   sign times texel. */
+typedef struct prt__octant {
+    double x[PRT__TEXELS], y[PRT__TEXELS], z[PRT__TEXELS], value[8][3][PRT__TEXELS];
+} prt__octant;
+
+/* The texel of face pair 0 (x), 1 (y), 2 (z) seen in the octant of signs `octant` (bit 0, 1, 2 set: x, y, z < 0) at
+   column i and row j, both counted from the edges where s and t are negative: OpenGL's table of face coordinates.
+   */
+PRT__STATIC const float *prt__cube_texel(int size, const float *const faces[6], int pair, int octant, int i, int j) {
+    int x = octant & 1, y = octant >> 1 & 1, z = octant >> 2;
+    int s_negative = pair == 0 ? z == x : pair == 1 ? x : x ^ z;
+    int t_negative = pair == 1 ? z ^ y : !y;
+    size_t column = (size_t)(s_negative ? i : size - 1 - i), row = (size_t)(t_negative ? j : size - 1 - j);
+    return faces[2 * pair + (octant >> pair & 1)] + 3 * (row * (size_t)size + column);
+}
+
+/* Sums with the signs of the eight classes (a Walsh-Hadamard transform). */
+PRT__STATIC void prt__octant_fold(double v[8]) {
+    int bit, i;
+    for (bit = 1; bit < 8; bit *= 2)
+        for (i = 0; i < 8; i++)
+            if (!(i & bit)) {
+                double sum = v[i] + v[i | bit], step = v[i] - v[i | bit];
+                v[i] = sum;
+                v[i | bit] = step;
+            }
+}
+
+/* Texels i = from ... to-1 of row j of a pair of faces. Rows and columns in the middle of an odd size are their own
+   images. */
+PRT__STATIC void prt__octant_block(int size, const float *const faces[6], int pair, int j, int from, int to,
+                                   const double *solid_angle, prt__octant *block) {
+    int i, c, k;
+    memset(block, 0, sizeof *block);
+    for (i = from; i < to; i++) {
+        double u = (size - 1.0 - 2 * i) / size, v = (size - 1.0 - 2 * j) / size, r = 1 / sqrt(1 + u * u + v * v);
+        double weight = solid_angle[i - from] * (2 * i + 1 == size ? 0.5 : 1) * (2 * j + 1 == size ? 0.5 : 1);
+        const float *texel[8];
+        block->x[i - from] = pair == 0 ? r : u * r;
+        block->y[i - from] = pair == 1 ? r : v * r;
+        block->z[i - from] = pair == 2 ? r : (pair == 0 ? u : v) * r;
+        for (k = 0; k < 8; k++) texel[k] = prt__cube_texel(size, faces, pair, k, i, j);
+        for (c = 0; c < 3; c++) {
+            double value[8];
+            for (k = 0; k < 8; k++) value[k] = (double)texel[k][c];
+            prt__octant_fold(value);
+            for (k = 0; k < 8; k++) block->value[k][c][i - from] = weight * value[k];
+        }
+    }
+}
+
+/* For one order: p(l,m) upwards in l over a block, and its six dot products with re, im times the folded values. */
+PRT__STATIC void prt__gather_order(prt__gather *g, int m, const prt__octant *block, const double *re,
+                                   const double *im) {
+    double value[2][6][PRT__TEXELS], p[PRT__TEXELS], p1[PRT__TEXELS];
+    int row = m - g->first, odd = m & 1, i, k, l;
+    for (k = 0; k < 2; k++)
+        for (l = 0; l < 3; l++)
+            for (i = 0; i < PRT__TEXELS; i++) {
+                value[k][l][i] = re[i] * block->value[odd + 4 * k][l][i];
+                value[k][3 + l][i] = im[i] * block->value[(1 - odd) + 2 + 4 * k][l][i];
+            }
+    for (i = 0; i < PRT__TEXELS; i++) { p[i] = g->sector[row]; p1[i] = 0; }
+    for (l = m; l < g->bands; l++) {
+        double (*part)[PRT__TEXELS] = value[(l - m) & 1];
+        double a = l + 1 < g->bands ? g->a[row][l + 1] : 0, b = l + 1 < g->bands ? g->b[row][l + 1] : 0;
+        prt__wide acc[6];
+        memset(acc, 0, sizeof acc);
+        for (i = 0; i < PRT__TEXELS; i += PRT__WIDE_LANES) {
+            prt__wide q = prt__wide_load(p + i);
+            for (k = 0; k < 6; k++) acc[k] += q * prt__wide_load(part[k] + i);
+            prt__wide_store(p + i, a * prt__wide_load(block->z + i) * q - b * prt__wide_load(p1 + i));
+            prt__wide_store(p1 + i, q);
+        }
+        prt__wide_add6(acc, g->sum[row][l]);
+    }
+}
+
+PRT__STATIC void prt__gather_octant(prt__gather *g, const prt__octant *block) {
+    double re[PRT__TEXELS], im[PRT__TEXELS];
+    int m, i;
+    for (i = 0; i < PRT__TEXELS; i++) { re[i] = 1; im[i] = 0; }
+    for (m = 0; m < g->last; m++) {
+        if (m >= g->first) prt__gather_order(g, m, block, re, im);
+        for (i = 0; i < PRT__TEXELS; i++) {
+            double t = re[i] * block->x[i] - im[i] * block->y[i];
+            im[i] = re[i] * block->y[i] + im[i] * block->x[i];
+            re[i] = t;
+        }
+    }
+}
+
+PRT__STATIC void prt__gather_cubemap(prt__gather *g, int size, const float *const faces[6]) {
+    double solid_angle[PRT__TEXELS], inv = 1.0 / size;
+    prt__octant block;
+    int count = size / 2 + size % 2, from, to, i, j, pair;
+    for (j = 0; j < count; j++)
+        for (from = 0; from < count; from = to) {
+            to = count - from < PRT__TEXELS ? count : from + PRT__TEXELS;
+            for (i = from; i < to; i++)
+                solid_angle[i - from] = prt__rectangle_solid_angle((size - 2.0 - 2 * i) * inv, (size - 2.0 * i) * inv,
+                                                                   (size - 2.0 - 2 * j) * inv, (size - 2.0 * j) * inv);
+            for (pair = 0; pair < 3; pair++) {
+                prt__octant_block(size, faces, pair, j, from, to, solid_angle, &block);
+                prt__gather_octant(g, &block);
+            }
+        }
+}
+
+PRTDEF prt_result prt_sh_project_cubemap_rgb(int bands, int size, const float *const faces[6], prt_real *light) {
+    prt__gather g;
+    int first, face;
+    if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
+    if (size < 1 || (size_t)size > SIZE_MAX / (3 * sizeof **faces) / (size_t)size) return PRT_ERR_COUNT;
+    if (!faces || !light) return PRT_ERR_NULL;
+    for (face = 0; face < 6; face++)
+        if (!faces[face]) return PRT_ERR_NULL;
+    for (first = 0; first < bands; first += PRT__ORDERS) {
+        prt__gather_start(&g, bands, first);
+        prt__gather_cubemap(&g, size, faces);
+        if (first == 0 && !prt__gather_finite(&g)) return PRT_ERR_VALUE;
+        prt__gather_write(&g, light);
+    }
+    return PRT_OK;
+}
+
+PRTDEF prt_result prt_sh_convolve(int bands, const prt_real *f, const prt_real *zonal, prt_real *out) {
+    double factor[PRT_MAX_BANDS];
+    int l;
+    if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
+    if (!f || !zonal || !out) return PRT_ERR_NULL;
+    for (l = 0; l < bands; l++) factor[l] = sqrt(4 * PRT__PI / (2 * l + 1)) * (double)zonal[l];
+    prt__scale_bands(bands, factor, f, out);
+    return PRT_OK;
+}
+
+PRTDEF prt_result prt_sh_irradiance(int bands, const prt_real *radiance, prt_real *out) {
+    double factor[PRT_MAX_BANDS];
+    if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
+    if (!radiance || !out) return PRT_ERR_NULL;
+    prt__cosine_factors(bands, factor);
+    prt__scale_bands(bands, factor, radiance, out);
+    return PRT_OK;
+}
+
 /* ----------------------------------------------------------------------------------------------- >>convert ---- */
 
 /* The factor of the monomial 1, y, z, x, xy, yz, 3z^2-1, xz, x^2-y^2 in Y_i, times the cosine lobe's 1, 2/3, 1/4. */
@@ -1010,6 +1618,137 @@ PRTDEF prt_result prt_sh_convert_axes(int bands, const char *from, const char *t
 }
 
 /* ------------------------------------------------------------------------------------------------ >>window ---- */
+
+/* The sharpest non-negative kernel of degree width-1 as the product of two Legendre series with coefficients >= 0.
+   By Christoffel-Darboux at the root z*: degree 2k is a(z)^2 with a_i = (2i+1) P_i(z*); degree 2k+1 is a(z) b(z)
+   with a = P^(0,1)_k+1/(z-z*), a_i = (2i+1)(P_i + (-1)^(k-i) P_k+1)(z*), and b = (1+z) a, b_i = ((i+1)(P_i + P_i+1)
+   + i(P_i-1 + P_i))(z*); there P_k+1 + P_k+2 = 0 at z*. w[r] = (1/2)_r/r!. */
+typedef struct prt__kernel {
+    int a_count, b_count;
+    double a[PRT_MAX_BANDS / 2 + 2], b[PRT_MAX_BANDS / 2 + 2], w[PRT_MAX_BANDS + 1];
+} prt__kernel;
+
+/* P_0 ... P_count-1 at z = 1-h, by differences, so that they keep their accuracy near z = 1. */
+PRT__STATIC void prt__legendre_row(int count, double h, double *p) {
+    double step = 0;
+    int l;
+    p[0] = 1;
+    for (l = 0; l + 1 < count; l++) {
+        step = (l * step - (2 * l + 1) * h * p[l]) / (l + 1);
+        p[l + 1] = p[l] + step;
+    }
+}
+
+/* h = 1-z at the largest root of P_n, or of P_n + P_n+1 (`paired`); p: P_0 ... P_n+1 there. Newton from its
+   asymptote. */
+PRT__STATIC void prt__legendre_root(int n, int paired, double *p) {
+    double angle = 2.404825557695773 / (n + (paired ? 1 : 0.5)), sine = sin(angle / 2), h = 2 * sine * sine;
+    int step;
+    for (step = 0; step < 5; step++) {
+        double value, slope;
+        prt__legendre_row(n + 2, h, p);
+        value = paired ? p[n] + p[n + 1] : p[n];
+        slope = n * (p[n - 1] - (1 - h) * p[n]);                       /* (1-z^2) dP/dz */
+        if (paired) slope += (n + 1) * (p[n] - (1 - h) * p[n + 1]);
+        h += value / slope * h * (2 - h);
+    }
+    prt__legendre_row(n + 2, h, p);
+}
+
+PRT__STATIC void prt__positive_kernel(int width, prt__kernel *kernel) {
+    double p[PRT_MAX_BANDS / 2 + 3];
+    int k = (width - 1) / 2, paired = (width - 1) % 2, i;
+    prt__legendre_root(k + 1, paired, p);
+    kernel->a_count = k + 1;
+    kernel->b_count = k + 1 + paired;
+    for (i = 0; i <= k; i++) {
+        double end = paired ? ((k - i) % 2 ? -p[k + 1] : p[k + 1]) : 0;
+        kernel->a[i] = (2 * i + 1) * (p[i] + end);
+        kernel->b[i] = paired ? (i + 1) * (p[i] + p[i + 1]) + (i > 0 ? i * (p[i - 1] + p[i]) : 0) : kernel->a[i];
+    }
+    if (paired) kernel->b[k + 1] = (k + 1) * (p[k] + p[k + 1]);
+    kernel->w[0] = 1;
+    for (i = 1; i <= width; i++) kernel->w[i] = kernel->w[i - 1] * (2 * i - 1) / (2 * i);
+}
+
+/* Half the Legendre moment int a b P_l dz: a sum of positive terms, (1/2) int P_i P_j P_l dz =
+   w(s-i) w(s-j) w(s-l)/((2s+1) w(s)), s = (i+j+l)/2 [Adams 1878]. */
+PRT__STATIC double prt__kernel_moment(const prt__kernel *kernel, int l) {
+    const double *w = kernel->w;
+    double sum = 0;
+    int i, j;
+    for (i = 0; i < kernel->a_count; i++) {
+        double row = 0;
+        int last = i + l < kernel->b_count ? i + l : kernel->b_count - 1;
+        for (j = i > l ? i - l : l - i; j <= last; j += 2) {
+            int s = (i + j + l) / 2;
+            row += kernel->b[j] * w[s - i] * w[s - j] * w[s - l] / ((2 * s + 1) * w[s]);
+        }
+        sum += kernel->a[i] * row;
+    }
+    return sum;
+}
+
+/* The weights of bands 0 ... count-1; count <= width. */
+PRT__STATIC void prt__positive_weights(int width, int count, double *weight) {
+    prt__kernel kernel;
+    double mean;
+    int l;
+    prt__positive_kernel(width, &kernel);
+    mean = prt__kernel_moment(&kernel, 0);
+    for (l = 0; l < count; l++) weight[l] = prt__kernel_moment(&kernel, l) / mean;
+}
+
+/* cos^2 and sin of the smaller angle, from whichever end: the last weights keep their digits. */
+PRT__STATIC double prt__hann(int l, int width) {
+    double root = l < width - l ? cos(PRT__PI * l / (2.0 * width)) : sin(PRT__PI * (width - l) / (2.0 * width));
+    return root * root;
+}
+
+PRT__STATIC double prt__lanczos(int l, int width) {
+    int small = l < width - l ? l : width - l;
+    return l == 0 ? 1 : sin(PRT__PI * small / width) / (PRT__PI * l / width);
+}
+
+PRT__STATIC int prt__window_ok(prt_window w) { return (unsigned)w <= (unsigned)PRT_WINDOW_POSITIVE; }
+PRT__STATIC int prt__window_width_ok(prt_window w, int width) {
+    return width >= 1 && (w != PRT_WINDOW_POSITIVE || width <= PRT_MAX_BANDS);
+}
+
+/* The weights of bands 0 ... bands-1. */
+PRT__STATIC void prt__window_weights(prt_window w, int width, int bands, double *weight) {
+    int l, kept = bands < width ? bands : width;
+    if (w == PRT_WINDOW_POSITIVE) prt__positive_weights(width, kept, weight);
+    else
+        for (l = 0; l < kept; l++)
+            weight[l] = w == PRT_WINDOW_HANN ? prt__hann(l, width) :
+                        w == PRT_WINDOW_LANCZOS ? prt__lanczos(l, width) : 1;
+    for (l = kept; l < bands; l++) weight[l] = 0;
+}
+
+PRTDEF prt_real prt_window_weight(prt_window w, int l, int width) {
+    prt__kernel kernel;
+    if (!prt__window_ok(w) || !prt__window_width_ok(w, width) || l < 0 || l >= width) return 0;
+    switch (w) {
+        case PRT_WINDOW_HANN:    return (prt_real)prt__hann(l, width);
+        case PRT_WINDOW_LANCZOS: return (prt_real)prt__lanczos(l, width);
+        case PRT_WINDOW_POSITIVE:
+            prt__positive_kernel(width, &kernel);
+            return (prt_real)(prt__kernel_moment(&kernel, l) / prt__kernel_moment(&kernel, 0));
+        case PRT_WINDOW_NONE: default: return 1;
+    }
+}
+
+PRTDEF prt_result prt_sh_window(int bands, prt_window w, int width, const prt_real *f, prt_real *out) {
+    double weight[PRT_MAX_BANDS];
+    if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
+    if (!prt__window_width_ok(w, width)) return PRT_ERR_COUNT;
+    if (!f || !out) return PRT_ERR_NULL;
+    if (!prt__window_ok(w)) return PRT_ERR_VALUE;
+    prt__window_weights(w, width, bands, weight);
+    prt__scale_bands(bands, weight, f, out);
+    return PRT_OK;
+}
 
 /* ----------------------------------------------------------------------------------------------- >>product ---- */
 
