@@ -362,6 +362,46 @@ PRTDEF prt_real prt_window_weight(prt_window w, int l, int width);
    them often). */
 PRTDEF prt_result prt_sh_window(int bands, prt_window w, int width, const prt_real *f, prt_real *out);
 
+/* ------------------------------------------------------------------------------------------------ >>rotate ---- */
+
+/* Rotation of SH vectors. f'(R v) = f(v) has the coefficients f'_l = M^l(R) f_l, band by band, where M^l is defined by
+   Y_l(R v) = M^l Y_l(v), is orthogonal, and M^l(-R) = (-1)^l M^l(R). A rotation is a row-major 3x3 matrix R acting on
+   column vectors; it is accepted if every entry is finite and |R R^T - 1| <= 1e-3 in every entry, reflections
+   (determinant -1) included, and refused with PRT_ERR_ROTATION otherwise. It is used as it is: if it is off by e, the
+   result in band l is off by about l e. */
+
+/* The rotation of the unit quaternion q = { w, x, y, z }: v' = q v q*, a turn by 2 acos(w) about (x,y,z), counter-
+   clockwise seen against the axis. q is normalised first; it must be finite and not zero (PRT_ERR_VALUE). q and -q
+   give the same matrix. rotation may alias q. Accuracy: 2 ulp of 1 in every entry. Cost: 30 operations, a square root,
+   a division. */
+PRTDEF prt_result prt_rotation_from_quaternion(const prt_real q[4], prt_real rotation[9]);
+
+/* Values that prt_sh_rotation writes: sum of (2l+1)^2 for l < bands, which is bands (4 bands^2 - 1) / 3; 0 for a bands
+   argument out of range. */
+PRTDEF size_t     prt_sh_rotation_count(int bands);
+
+/* The blocks M^l, l = 0 ... bands-1, one after the other, each row-major: entry (m,k) of band l stands at
+   prt_sh_rotation_count(l) + (l+m) (2l+1) + (l+k). Use it with prt_sh_rotate_by where many vectors take one rotation.
+   Method: the recursion of [Ivanic 1996] with its corrections of 1998 but with other columns of the last block near the
+   edges, |k| >= 0.7 l: as published the error grows exponentially with l, here it does not (docs/papers.md).
+   Accuracy, float/double, largest error of an entry: 4e-7/9e-16 at 9 bands, 4e-6/9e-15 at 64.
+   Cost: about 10 multiply-adds an entry, and 7l square roots a band. blocks must not overlap rotation. */
+PRTDEF prt_result prt_sh_rotation   (int bands, const prt_real rotation[9], prt_real *blocks);
+
+/* out = blocks f for one vector f[bands^2]; out may be f. Cost: prt_sh_rotation_count multiply-adds. */
+PRTDEF prt_result prt_sh_rotate_by  (int bands, const prt_real *blocks, const prt_real *f, prt_real *out);
+
+/* out = blocks f for many vectors; out may be f, and overlap it in no other way. Each vector gets the same bits whatever
+   the count and its place. Layouts: _n [count][bands^2], vector after vector (a coloured light in three planes is three
+   vectors); _n_rgb [count][bands^2][3], red, green and blue of each coefficient side by side; _soa coefficient i of
+   vector k at [i*stride + k], stride >= count. Cost: prt_sh_rotation_count multiply-adds a vector (three times that for
+   _n_rgb), done in SIMD across vectors. */
+PRTDEF prt_result prt_sh_rotate_by_n(int bands, const prt_real *blocks, int count, const prt_real *f, prt_real *out);
+PRTDEF prt_result prt_sh_rotate_by_n_rgb(int bands, const prt_real *blocks, int count, const prt_real *f,
+                                         prt_real *out);
+PRTDEF prt_result prt_sh_rotate_by_soa(int bands, const prt_real *blocks, int count, const prt_real *f, prt_real *out,
+                                       size_t stride);
+
 /* ----------------------------------------------------------------------------------------------- >>product ---- */
 
 /* The triple product (real Gaunt) coefficient  G = int Y(l1,m1) Y(l2,m2) Y(l3,m3) dw.
@@ -1825,6 +1865,431 @@ PRTDEF prt_result prt_sh_window(int bands, prt_window w, int width, const prt_re
     prt__window_weights(w, width, bands, weight);
     prt__scale_bands(bands, weight, f, out);
     return PRT_OK;
+}
+
+/* ------------------------------------------------------------------------------------------------ >>rotate ---- */
+
+/* |R R^T - 1| <= 1e-3 in every entry; an entry that is not finite fails. */
+PRT__STATIC int prt__rotation_ok(const prt_real *r) {
+    const prt_real tolerance = PRT__R(1e-3);
+    prt_real xx = r[0] * r[0] + r[1] * r[1] + r[2] * r[2] - 1, xy = r[0] * r[3] + r[1] * r[4] + r[2] * r[5];
+    prt_real yy = r[3] * r[3] + r[4] * r[4] + r[5] * r[5] - 1, yz = r[3] * r[6] + r[4] * r[7] + r[5] * r[8];
+    prt_real zz = r[6] * r[6] + r[7] * r[7] + r[8] * r[8] - 1, zx = r[6] * r[0] + r[7] * r[1] + r[8] * r[2];
+    return prt__abs(xx) <= tolerance && prt__abs(yy) <= tolerance && prt__abs(zz) <= tolerance
+        && prt__abs(xy) <= tolerance && prt__abs(yz) <= tolerance && prt__abs(zx) <= tolerance;
+}
+
+PRTDEF prt_result prt_rotation_from_quaternion(const prt_real q[4], prt_real rotation[9]) {
+#ifdef PRT_DOUBLE
+    typedef long double wide;                                   /* at least what it says: errors of R show l-fold */
+#else
+    typedef double wide;
+#endif
+    wide v[4], largest = 0, s = 0, w, x, y, z;
+    int i;
+    if (!q || !rotation) return PRT_ERR_NULL;
+    for (i = 0; i < 4; i++) {
+        if (!prt__finite(q[i])) return PRT_ERR_VALUE;
+        if (prt__abs(q[i]) > largest) largest = prt__abs(q[i]);
+    }
+    if (largest == 0) return PRT_ERR_VALUE;
+    for (i = 0; i < 4; i++) {
+        v[i] = q[i] / largest;                                  /* no square overflows */
+        s += v[i] * v[i];
+    }
+    s = 2 / s;
+    w = v[0]; x = v[1]; y = v[2]; z = v[3];
+    rotation[0] = (prt_real)(1 - s * (y * y + z * z));
+    rotation[1] = (prt_real)(s * (x * y - w * z));
+    rotation[2] = (prt_real)(s * (x * z + w * y));
+    rotation[3] = (prt_real)(s * (x * y + w * z));
+    rotation[4] = (prt_real)(1 - s * (x * x + z * z));
+    rotation[5] = (prt_real)(s * (y * z - w * x));
+    rotation[6] = (prt_real)(s * (x * z - w * y));
+    rotation[7] = (prt_real)(s * (y * z + w * x));
+    rotation[8] = (prt_real)(1 - s * (x * x + y * y));
+    return PRT_OK;
+}
+
+PRT__INLINE size_t prt__block_offset(int l) { return (size_t)l * (4 * (size_t)l * (size_t)l - 1) / 3; }
+
+PRTDEF size_t prt_sh_rotation_count(int bands) { return prt__bands_ok(bands) ? prt__block_offset(bands) : 0; }
+
+/* A row of block l is a sum of at most five terms: factor * P_i(a), where P_i takes row a of block l-1 and row i of
+   block 1. q and r point to the middle (column 0) of the two rows. */
+typedef struct prt__rotation_term { prt_real factor; const prt_real *q, *r; } prt__rotation_term;
+
+PRT__INLINE prt__rotation_term prt__rotation_row(int l, const prt_real *block1, const prt_real *last, int i, int a,
+                                                 prt_real factor) {
+    prt__rotation_term t;
+    t.factor = factor;
+    t.q = last + (a + l - 1) * (2 * l - 1) + (l - 1);
+    t.r = block1 + (i + 1) * 3 + 1;
+    return t;
+}
+
+/* The terms u U + v V + w W of row m, without the factor 1/sqrt(d) of the column; returns how many. */
+PRT__STATIC int prt__rotation_terms(int l, int m, const prt_real *block1, const prt_real *last,
+                                    prt__rotation_term *terms) {
+    int n = 0, am = m < 0 ? -m : m, s = m < 0 ? -1 : 1;
+    prt_real u = PRT__R(prt__root(l + m) * prt__root(l - m));
+    prt_real v = PRT__R(0.5 * prt__root(l + am) * prt__root(l + am - 1) * (m == 0 ? -PRT__SQRT2 : 1));
+    if (am < l) terms[n++] = prt__rotation_row(l, block1, last, 0, m, u);
+    if (m == 0) {
+        terms[n++] = prt__rotation_row(l, block1, last, 1, 1, v);
+        terms[n++] = prt__rotation_row(l, block1, last, -1, -1, v);
+        return n;
+    }
+    if (am == 1) {
+        terms[n++] = prt__rotation_row(l, block1, last, s, 0, v * PRT__R(PRT__SQRT2));
+    } else {
+        terms[n++] = prt__rotation_row(l, block1, last, 1, m - s, v);
+        terms[n++] = prt__rotation_row(l, block1, last, -1, s - m, -(prt_real)s * v);
+    }
+    if (am < l - 1) {
+        prt_real w = PRT__R(-0.5 * prt__root(l - am - 1) * prt__root(l - am));
+        terms[n++] = prt__rotation_row(l, block1, last, 1, m + s, w);
+        terms[n++] = prt__rotation_row(l, block1, last, -1, -m - s, (prt_real)s * w);
+    }
+    return n;
+}
+
+/* Block l from blocks 1 and l-1. Inside |k| < 0.7 l every P_i(a) is r_i0 Q(a,k). Outside it is the form that
+   [Ivanic 1996] uses for |k| = l only: taken in time, it is what keeps rounding errors from growing. */
+PRT__STATIC void prt__rotation_block(int l, const prt_real *block1, const prt_real *last, prt_real *PRT__RESTRICT block) {
+    prt_real scale[PRT_MAX_BANDS];                              /* 1/sqrt(d), the same for k and -k */
+    int inner = (7 * l - 1) / 10, k, m;
+    for (k = 0; k <= l; k++)
+        scale[k] = PRT__R(prt__inverse_root(l + k) * prt__inverse_root(k <= inner ? l - k : l + k - 1));
+    for (m = -l; m <= l; m++) {
+        prt_real *PRT__RESTRICT row = block + (l + m) * (2 * l + 1) + l;
+        prt__rotation_term terms[5];
+        int count = prt__rotation_terms(l, m, block1, last, terms), t;
+        for (k = -l; k <= l; k++) row[k] = 0;
+        for (t = 0; t < count; t++) {
+            const prt_real *q = terms[t].q;
+            prt_real c0 = terms[t].factor * terms[t].r[0];
+            prt_real cp = terms[t].factor * terms[t].r[1], cm = terms[t].factor * terms[t].r[-1];
+            for (k = -inner; k <= inner; k++) row[k] += c0 * q[k];
+            for (k = inner + 1; k <= l; k++) {
+                row[k] += cp * q[k - 1] - cm * q[1 - k];
+                row[-k] += cp * q[1 - k] + cm * q[k - 1];
+            }
+        }
+        for (k = -l; k <= l; k++) row[k] *= scale[k < 0 ? -k : k];
+    }
+}
+
+PRTDEF prt_result prt_sh_rotation(int bands, const prt_real rotation[9], prt_real *blocks) {
+    static const unsigned char from[9] = { 4, 5, 3, 7, 8, 6, 1, 2, 0 };     /* block 1 = R in the order y, z, x */
+    int l, i;
+    if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
+    if (!rotation || !blocks) return PRT_ERR_NULL;
+    if (!prt__rotation_ok(rotation)) return PRT_ERR_ROTATION;
+    blocks[0] = 1;
+    if (bands > 1)
+        for (i = 0; i < 9; i++) blocks[1 + i] = rotation[from[i]];
+    for (l = 2; l < bands; l++)
+        prt__rotation_block(l, blocks + 1, blocks + prt__block_offset(l - 1), blocks + prt__block_offset(l));
+    return PRT_OK;
+}
+
+/* ---- blocks to vectors ---- */
+
+/* out = M f for one block, four rows at a time. */
+PRT__STATIC void prt__block_times(int size, const prt_real *m, const prt_real *PRT__RESTRICT f,
+                                  prt_real *PRT__RESTRICT out) {
+    int r, j;
+    for (r = 0; r + 4 <= size; r += 4, m += 4 * size) {
+        prt_real a = 0, b = 0, c = 0, d = 0;
+        for (j = 0; j < size; j++) {
+            a += m[j] * f[j];
+            b += m[size + j] * f[j];
+            c += m[2 * size + j] * f[j];
+            d += m[3 * size + j] * f[j];
+        }
+        out[r] = a; out[r + 1] = b; out[r + 2] = c; out[r + 3] = d;
+    }
+    for (; r < size; r++, m += size)
+        for (out[r] = 0, j = 0; j < size; j++) out[r] += m[j] * f[j];
+}
+
+PRTDEF prt_result prt_sh_rotate_by(int bands, const prt_real *blocks, const prt_real *f, prt_real *out) {
+    prt_real band[2 * PRT_MAX_BANDS];
+    int l;
+    if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
+    if (!blocks || !f || !out) return PRT_ERR_NULL;
+    for (l = 0; l < bands; l++) {
+        memcpy(band, f + l * l, (size_t)(2 * l + 1) * sizeof *f);           /* so that out may be f */
+        prt__block_times(2 * l + 1, blocks + prt__block_offset(l), band, out + l * l);
+    }
+    return PRT_OK;
+}
+
+/* PRT__LANES vectors side by side: coefficient i of lane k at [i * PRT__LANES + k]. A matrix entry meets a whole
+   prt__vec; registers of 16 bytes have no cheap way to repeat a number in all lanes, so there the entries are repeated
+   in advance (prt__entry), up to PRT__ENTRY_BANDS bands. */
+#if PRT__SIMD && PRT__VEC_BYTES == 16
+typedef prt__vec prt__entry;
+PRT__INLINE prt__entry prt__entry_of(prt_real m) { return prt__vec_set(m); }
+#else
+typedef prt_real prt__entry;
+PRT__INLINE prt__entry prt__entry_of(prt_real m) { return m; }
+#endif
+enum { PRT__ENTRY_BANDS = 8, PRT__ENTRIES = PRT__ENTRY_BANDS * (4 * PRT__ENTRY_BANDS * PRT__ENTRY_BANDS - 1) / 3 };
+
+/* out = M x for one block in all lanes; step: between coefficients. With size known the input stays in registers. */
+PRT__INLINE void prt__block_lanes(int size, const prt__entry *m, const prt_real *x, prt_real *out, int step) {
+    prt__vec v[2 * PRT__ENTRY_BANDS - 1];
+    int r, j;
+    for (j = 0; j < size; j++) v[j] = prt__vec_load(x + j * step);
+    for (r = 0; r < size; r++, m += size) {
+        prt__vec sum = m[0] * v[0];
+        for (j = 1; j < size; j++) sum += m[j] * v[j];
+        prt__vec_store(out + r * step, sum);
+    }
+}
+
+typedef void prt__block_kernel(const prt__entry *m, const prt_real *x, prt_real *out, int step);
+#define PRT__BLOCK_KERNEL(l) \
+    PRT__STATIC void prt__block_lanes_##l(const prt__entry *m, const prt_real *x, prt_real *out, int step) { \
+        prt__block_lanes(2 * l + 1, m, x, out, step); \
+    }
+PRT__BLOCK_KERNEL(0) PRT__BLOCK_KERNEL(1) PRT__BLOCK_KERNEL(2) PRT__BLOCK_KERNEL(3)
+PRT__BLOCK_KERNEL(4) PRT__BLOCK_KERNEL(5) PRT__BLOCK_KERNEL(6) PRT__BLOCK_KERNEL(7)
+#undef PRT__BLOCK_KERNEL
+static prt__block_kernel *const prt__block_kernels[PRT__ENTRY_BANDS] = {
+    prt__block_lanes_0, prt__block_lanes_1, prt__block_lanes_2, prt__block_lanes_3,
+    prt__block_lanes_4, prt__block_lanes_5, prt__block_lanes_6, prt__block_lanes_7
+};
+
+/* The same for a block of any size, four rows at a time. */
+PRT__STATIC void prt__block_lanes_any(int size, const prt_real *m, const prt_real *x, prt_real *out, int step) {
+    int r, j;
+    for (r = 0; r + 4 <= size; r += 4, m += 4 * size) {
+        prt__vec a = prt__vec_set(0), b = a, c = a, d = a;
+        for (j = 0; j < size; j++) {
+            prt__vec v = prt__vec_load(x + j * step);
+            a += m[j] * v;
+            b += m[size + j] * v;
+            c += m[2 * size + j] * v;
+            d += m[3 * size + j] * v;
+        }
+        prt__vec_store(out + r * step, a);
+        prt__vec_store(out + (r + 1) * step, b);
+        prt__vec_store(out + (r + 2) * step, c);
+        prt__vec_store(out + (r + 3) * step, d);
+    }
+    for (; r < size; r++, m += size) {
+        prt__vec a = prt__vec_set(0);
+        for (j = 0; j < size; j++) a += m[j] * prt__vec_load(x + j * step);
+        prt__vec_store(out + r * step, a);
+    }
+}
+
+#if PRT__SIMD
+/* Two-operand shuffles: lo and hi interleave single numbers within each 16 bytes, as the machines' unpack instructions
+   do; block_lo and block_hi interleave whole blocks of 16 bytes. */
+#if defined(__clang__) || __GNUC__ >= 12
+#  define PRT__SHUFFLE(name, ...) \
+    PRT__INLINE prt__vec name(prt__vec a, prt__vec b) { return __builtin_shufflevector(a, b, __VA_ARGS__); }
+#else
+#  ifdef PRT_DOUBLE
+typedef int64_t prt__lane_index __attribute__((vector_size(PRT__VEC_BYTES)));
+#  else
+typedef int32_t prt__lane_index __attribute__((vector_size(PRT__VEC_BYTES)));
+#  endif
+#  define PRT__SHUFFLE(name, ...) \
+    PRT__INLINE prt__vec name(prt__vec a, prt__vec b) { \
+        const prt__lane_index lanes = { __VA_ARGS__ }; \
+        return __builtin_shuffle(a, b, lanes); \
+    }
+#endif
+#if PRT__LANES == 2
+PRT__SHUFFLE(prt__lo, 0, 2)
+PRT__SHUFFLE(prt__hi, 1, 3)
+#elif PRT__LANES == 4 && PRT__VEC_BYTES == 16
+PRT__SHUFFLE(prt__lo, 0, 4, 1, 5)
+PRT__SHUFFLE(prt__hi, 2, 6, 3, 7)
+#elif PRT__LANES == 4
+PRT__SHUFFLE(prt__lo, 0, 4, 2, 6)
+PRT__SHUFFLE(prt__hi, 1, 5, 3, 7)
+PRT__SHUFFLE(prt__block_lo, 0, 1, 4, 5)
+PRT__SHUFFLE(prt__block_hi, 2, 3, 6, 7)
+#elif PRT__LANES == 8 && PRT__VEC_BYTES == 32
+PRT__SHUFFLE(prt__lo, 0, 8, 1, 9, 4, 12, 5, 13)
+PRT__SHUFFLE(prt__hi, 2, 10, 3, 11, 6, 14, 7, 15)
+PRT__SHUFFLE(prt__block_lo, 0, 1, 2, 3, 8, 9, 10, 11)
+PRT__SHUFFLE(prt__block_hi, 4, 5, 6, 7, 12, 13, 14, 15)
+#elif PRT__LANES == 8
+PRT__SHUFFLE(prt__lo, 0, 8, 2, 10, 4, 12, 6, 14)
+PRT__SHUFFLE(prt__hi, 1, 9, 3, 11, 5, 13, 7, 15)
+PRT__SHUFFLE(prt__block_lo, 0, 1, 8, 9, 2, 3, 10, 11)
+PRT__SHUFFLE(prt__block_hi, 4, 5, 12, 13, 6, 7, 14, 15)
+#else
+PRT__SHUFFLE(prt__lo, 0, 16, 1, 17, 4, 20, 5, 21, 8, 24, 9, 25, 12, 28, 13, 29)
+PRT__SHUFFLE(prt__hi, 2, 18, 3, 19, 6, 22, 7, 23, 10, 26, 11, 27, 14, 30, 15, 31)
+PRT__SHUFFLE(prt__block_lo, 0, 1, 2, 3, 16, 17, 18, 19, 4, 5, 6, 7, 20, 21, 22, 23)
+PRT__SHUFFLE(prt__block_hi, 8, 9, 10, 11, 24, 25, 26, 27, 12, 13, 14, 15, 28, 29, 30, 31)
+#endif
+
+enum { PRT__UNIT = 16 / (int)sizeof(prt_real), PRT__BLOCKS = PRT__VEC_BYTES / 16 };   /* numbers in 16 bytes, and so on */
+
+/* The transposed PRT__LANES x PRT__LANES matrix, in place: first within blocks of 16 bytes, then the blocks. */
+PRT__INLINE void prt__lanes_transpose(prt__vec *row) {
+    prt__vec t[PRT__LANES];
+    int g, j;
+    for (g = 0; g < PRT__LANES; g += PRT__UNIT) {
+#ifdef PRT_DOUBLE
+        t[g] = prt__lo(row[g], row[g + 1]);
+        t[g + 1] = prt__hi(row[g], row[g + 1]);
+#else
+        prt__vec a = prt__lo(row[g], row[g + 2]), b = prt__lo(row[g + 1], row[g + 3]);
+        prt__vec c = prt__hi(row[g], row[g + 2]), d = prt__hi(row[g + 1], row[g + 3]);
+        t[g] = prt__lo(a, b);
+        t[g + 1] = prt__hi(a, b);
+        t[g + 2] = prt__lo(c, d);
+        t[g + 3] = prt__hi(c, d);
+#endif
+    }
+    for (j = 0; j < PRT__UNIT; j++) {
+#if PRT__VEC_BYTES == 16
+        row[j] = t[j];
+#elif PRT__VEC_BYTES == 32
+        row[j] = prt__block_lo(t[j], t[PRT__UNIT + j]);
+        row[PRT__UNIT + j] = prt__block_hi(t[j], t[PRT__UNIT + j]);
+#else
+        prt__vec a = prt__block_lo(t[j], t[2 * PRT__UNIT + j]), c = prt__block_hi(t[j], t[2 * PRT__UNIT + j]);
+        prt__vec b = prt__block_lo(t[PRT__UNIT + j], t[3 * PRT__UNIT + j]);
+        prt__vec d = prt__block_hi(t[PRT__UNIT + j], t[3 * PRT__UNIT + j]);
+        row[j] = prt__block_lo(a, b);
+        row[PRT__UNIT + j] = prt__block_hi(a, b);
+        row[2 * PRT__UNIT + j] = prt__block_lo(c, d);
+        row[3 * PRT__UNIT + j] = prt__block_hi(c, d);
+#endif
+    }
+}
+#else
+PRT__INLINE void prt__lanes_transpose(prt__vec *row) { (void)row; }
+#endif
+
+/* Where many vectors stand: coefficient i of vector k at f[k * vector + i * coefficient]. */
+typedef struct prt__layout { size_t vector, coefficient; } prt__layout;
+
+/* Coefficients 0 ... count-1 of `lanes` vectors from f to x[count][PRT__LANES]; missing lanes become 0. */
+PRT__STATIC void prt__lanes_gather(const prt__layout *at, const prt_real *f, int count, int lanes, prt_real *x) {
+    prt__vec row[PRT__LANES];
+    int i, k;
+    if (lanes == PRT__LANES && at->vector == 1) {
+        for (i = 0; i < count; i++)
+            prt__vec_store(x + i * PRT__LANES, prt__vec_load(f + (size_t)i * at->coefficient));
+    } else if (lanes == PRT__LANES && at->coefficient == 1 && count >= PRT__LANES) {
+        for (i = 0; i < count; i += PRT__LANES) {
+            int first = i + PRT__LANES <= count ? i : count - PRT__LANES;               /* the last may overlap */
+            for (k = 0; k < PRT__LANES; k++) row[k] = prt__vec_load(f + (size_t)k * at->vector + first);
+            prt__lanes_transpose(row);
+            for (k = 0; k < PRT__LANES; k++) prt__vec_store(x + (first + k) * PRT__LANES, row[k]);
+        }
+    } else {
+        for (i = 0; i < count; i++)
+            for (k = 0; k < PRT__LANES; k++)
+                x[i * PRT__LANES + k] = k < lanes ? f[(size_t)k * at->vector + (size_t)i * at->coefficient] : 0;
+    }
+}
+
+PRT__STATIC void prt__lanes_scatter(const prt__layout *at, const prt_real *x, int count, int lanes, prt_real *f) {
+    prt__vec row[PRT__LANES];
+    int i, k;
+    if (lanes == PRT__LANES && at->vector == 1) {
+        for (i = 0; i < count; i++)
+            prt__vec_store(f + (size_t)i * at->coefficient, prt__vec_load(x + i * PRT__LANES));
+    } else if (lanes == PRT__LANES && at->coefficient == 1 && count >= PRT__LANES) {
+        for (i = 0; i < count; i += PRT__LANES) {
+            int first = i + PRT__LANES <= count ? i : count - PRT__LANES;
+            for (k = 0; k < PRT__LANES; k++) row[k] = prt__vec_load(x + (first + k) * PRT__LANES);
+            prt__lanes_transpose(row);
+            for (k = 0; k < PRT__LANES; k++) prt__vec_store(f + (size_t)k * at->vector + first, row[k]);
+        }
+    } else {
+        for (i = 0; i < count; i++)
+            for (k = 0; k < lanes; k++) f[(size_t)k * at->vector + (size_t)i * at->coefficient] = x[i * PRT__LANES + k];
+    }
+}
+
+/* Bands first ... end-1 of one group of lanes; `channels` values stand side by side for each coefficient. */
+PRT__STATIC void prt__rotate_lanes(int first, int end, int channels, const prt__entry *entries, const prt_real *blocks,
+                                   const prt_real *x, prt_real *out) {
+    int l, c, step = channels * PRT__LANES;
+    for (l = first; l < end; l++)
+        for (c = 0; c < channels; c++) {
+            int at = ((l * l - first * first) * channels + c) * PRT__LANES;
+            size_t block = prt__block_offset(l);
+            if (l < PRT__ENTRY_BANDS) prt__block_kernels[l](entries + block, x + at, out + at, step);
+            else prt__block_lanes_any(2 * l + 1, blocks + block, x + at, out + at, step);
+        }
+}
+
+/* All vectors, a group of PRT__LANES at a time: some bands at once as far as they fit the buffers, at least one. */
+PRT__STATIC void prt__rotate_many(int bands, int channels, const prt_real *blocks, int count, const prt__layout *at,
+                                  const prt_real *f, prt_real *out) {
+    enum { BAND = 3 * (2 * PRT_MAX_BANDS - 1), ROOM = BAND > 3 * 64 ? BAND : 3 * 64 };
+    prt__vec x[ROOM], y[ROOM];
+#if PRT__SIMD && PRT__VEC_BYTES == 16
+    prt__entry entries[PRT__ENTRIES];
+#else
+    const prt__entry *entries = blocks;
+#endif
+    int k, first, end;
+#if PRT__SIMD && PRT__VEC_BYTES == 16
+    size_t i, total = prt__block_offset(bands < PRT__ENTRY_BANDS ? bands : PRT__ENTRY_BANDS);
+    for (i = 0; i < total; i++) entries[i] = prt__entry_of(blocks[i]);
+#endif
+    for (k = 0; k < count; k += PRT__LANES) {
+        int lanes = count - k < PRT__LANES ? count - k : PRT__LANES;
+        for (first = 0; first < bands; first = end) {
+            size_t start = (size_t)k * at->vector + (size_t)(first * first * channels) * at->coefficient;
+            int size;
+            for (end = first + 1; end < bands && ((end + 1) * (end + 1) - first * first) * channels <= ROOM; ) end++;
+            size = (end * end - first * first) * channels;
+            prt__lanes_gather(at, f + start, size, lanes, (prt_real *)x);
+            prt__rotate_lanes(first, end, channels, entries, blocks, (const prt_real *)x, (prt_real *)y);
+            prt__lanes_scatter(at, (const prt_real *)y, size, lanes, out + start);
+        }
+    }
+}
+
+PRT__STATIC prt_result prt__rotate_many_checked(int bands, int channels, const prt_real *blocks, int count,
+                                                const prt__layout *at, const prt_real *f, prt_real *out) {
+    if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
+    if (count < 0) return PRT_ERR_COUNT;
+    if (count == 0) return PRT_OK;
+    if (!blocks || !f || !out) return PRT_ERR_NULL;
+    prt__rotate_many(bands, channels, blocks, count, at, f, out);
+    return PRT_OK;
+}
+
+PRTDEF prt_result prt_sh_rotate_by_n(int bands, const prt_real *blocks, int count, const prt_real *f, prt_real *out) {
+    prt__layout at;
+    at.vector = (size_t)PRT_SH_COUNT((size_t)bands);
+    at.coefficient = 1;
+    return prt__rotate_many_checked(bands, 1, blocks, count, &at, f, out);
+}
+
+PRTDEF prt_result prt_sh_rotate_by_n_rgb(int bands, const prt_real *blocks, int count, const prt_real *f,
+                                         prt_real *out) {
+    prt__layout at;
+    at.vector = 3 * (size_t)PRT_SH_COUNT((size_t)bands);
+    at.coefficient = 1;
+    return prt__rotate_many_checked(bands, 3, blocks, count, &at, f, out);
+}
+
+PRTDEF prt_result prt_sh_rotate_by_soa(int bands, const prt_real *blocks, int count, const prt_real *f, prt_real *out,
+                                       size_t stride) {
+    prt__layout at;
+    at.vector = 1;
+    at.coefficient = stride;
+    if (prt__bands_ok(bands) && count > 0 && stride < (size_t)count) return PRT_ERR_COUNT;
+    return prt__rotate_many_checked(bands, 1, blocks, count, &at, f, out);
 }
 
 /* ----------------------------------------------------------------------------------------------- >>product ---- */
