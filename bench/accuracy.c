@@ -137,9 +137,10 @@ static int directions(double dirs[][3], int as_float, int *near) {
 
 /* -------------------------------------------------------------------------------------------- measuring ---- */
 
+/* 1, 2, 3 ... 64, 96, 128, 192, 256 ... */
 static int band_steps(int max_bands, int steps[MAX_STEPS]) {
     int count = 0, n;
-    for (n = 1; n <= max_bands; n = n < 64 ? n + 1 : 2 * n) steps[count++] = n;
+    for (n = 1; n <= max_bands; n = n < 64 ? n + 1 : n % 3 ? n / 2 * 3 : n / 3 * 4) steps[count++] = n;
     return count;
 }
 

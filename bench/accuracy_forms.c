@@ -56,7 +56,7 @@ static const accuracy_form forms[] = {
     { "prt_sh_eval", PRT_MAX_BANDS, by_eval },
     { "prt_sh_eval_soa", PRT_MAX_BANDS, by_soa },
     { "recurrence, any band", PRT_MAX_BANDS, by_recurrence },
-    { "textbook K P", 100, by_textbook },
+    { "textbook K P", 128, by_textbook },
 };
 
 #ifdef PRT_DOUBLE

@@ -38,6 +38,7 @@ typedef struct bench_candidate {
     double (*flops)(int bands);          /* floating-point operations, a multiply-add counted as two; 0: not counted */
     double (*bytes_read)(int bands);
     double (*bytes_written)(int bands);
+    int peer;                 /* 1: plugged in from outside of the tree */
 } bench_candidate;
 
 /* A row that somebody plugs in, see peer.h: it takes part in a job of the table. */

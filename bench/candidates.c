@@ -43,7 +43,7 @@
 /* ... and its row. */
 #define ROW(id, job, name, bands, whole) \
     { job, name, BENCH_BUILD, (int)sizeof(prt_real), bands, whole, id##_items, id##_run, id##_flops, id##_reads, \
-      id##_writes },
+      id##_writes, 0 },
 #define EACH(id, job, name, bands, items, call, flops, reads, writes) ROW(id, job, name, bands, 0)
 #define BATCH(id, job, name, bands, items, call, flops, reads, writes) ROW(id, job, name, bands, 1)
 static const bench_candidate rows[] = {
@@ -94,7 +94,7 @@ static void peak_run(const bench_data *data, int n, int items, long passes) {
 }
 
 static const bench_candidate peak = { "ceiling", "multiply-add", BENCH_BUILD, (int)sizeof(prt_real), "", 0, peak_items,
-                                      peak_run, peak_none, peak_none, peak_none };
+                                      peak_run, peak_none, peak_none, peak_none, 0 };
 
 #define JOIN2(a, b) a##b
 #define JOIN(a, b) JOIN2(a, b)

@@ -24,7 +24,7 @@ EACH (eval_generic, "eval",     "recurrence, any band", ALL, ITEMS, prt__sh_recu
 EACH (eval_textbook, "eval",    "textbook K P",         "1-10,16", 64, textbook_sh(n, DIR(k), OUT), 0, 3, n * n)
 BATCH(eval_n,       "eval_n",   "prt_sh_eval_n",        ALL, ITEMS, prt_sh_eval_n(n, items, DIRS, OUT), EVAL_FLOPS, 3, n * n)
 BATCH(eval_soa,     "eval_soa", "prt_sh_eval_soa",      ALL, ITEMS, prt_sh_eval_soa(n, items, X, Y, Z, OUT, (size_t)items), EVAL_FLOPS, 3, n * n)
-BATCH(eval_soa_pad, "eval_soa", "prt_sh_eval_soa, stride + 32", "1-16", ITEMS, prt_sh_eval_soa(n, items, X, Y, Z, OUT, (size_t)items + 32), EVAL_FLOPS, 3, n * n)
+BATCH(eval_soa_pad, "eval_soa", "prt_sh_eval_soa, stride + 32", "1-10,16", ITEMS, prt_sh_eval_soa(n, items, X, Y, Z, OUT, (size_t)items + 32), EVAL_FLOPS, 3, n * n)
 EACH (at,           "at",       "prt_sh_at",            ALL, ITEMS, OUT[0] = prt_sh_at(n, F, DIR(k)), EVAL_FLOPS + 2.0 * n * n, 3 + n * n, 1)
 EACH (dot,          "dot",      "prt_sh_dot",           ALL, 64,    OUT[0] = prt_sh_dot(n, F, G), 2.0 * n * n, 2 * n * n, 1)
 

@@ -7,8 +7,8 @@
 static int one(int bands) { (void)bands; return 1; }
 static double none(int bands) { (void)bands; return 0; }
 
-const bench_candidate bench_ceiling_write = { "ceiling", "write", "", 0, "", 0, one, NULL, none, none, none };
-const bench_candidate bench_ceiling_copy  = { "ceiling", "copy",  "", 0, "", 0, one, NULL, none, none, none };
+const bench_candidate bench_ceiling_write = { "ceiling", "write", "", 0, "", 0, one, NULL, none, none, none, 0 };
+const bench_candidate bench_ceiling_copy  = { "ceiling", "copy",  "", 0, "", 0, one, NULL, none, none, none, 0 };
 
 void bench_ceiling_run(const bench_candidate *ceiling, const bench_data *data, size_t chunk, int items, long passes) {
     int k;

@@ -76,6 +76,7 @@ static void admit_peers(void) {
         rows[i].build = "native";
         rows[i].bands = peers[i]->bands;
         rows[i].run = peers[i]->run;
+        rows[i].peer = 1;
         bench_add(&rows[i], 1);
     }
     peer_count = 0;

@@ -52,8 +52,8 @@ static void csv_group(FILE *f, const bench_row *rows, int count) {
     int i;
     for (i = 0; i < count; i++) {
         const bench_candidate *c = rows[i].candidate;
-        fprintf(f, "%s,\"%s\",%s,%s,%d,%d,%.4f,%.4f,%.4f,%.3f,%.0f,%.0f,%.0f,%.4f,%.4f,%.4f\n", c->job, c->name, c->build,
-                precision(c), rows[i].bands, rows[i].items, rows[i].ns, rows[i].ns_min, rows[i].spread, rows[i].cycles,
+        fprintf(f, "%s,\"%s\",%d,%s,%s,%d,%d,%.4f,%.4f,%.4f,%.3f,%.0f,%.0f,%.0f,%.4f,%.4f,%.4f\n", c->job, c->name, c->peer,
+                c->build, precision(c), rows[i].bands, rows[i].items, rows[i].ns, rows[i].ns_min, rows[i].spread, rows[i].cycles,
                 rows[i].flops, rows[i].bytes_read, rows[i].bytes_written, rows[i].of_write, rows[i].of_copy,
                 rows[i].of_flops);
     }
@@ -73,7 +73,7 @@ static void show(void *user, const bench_row *rows, int count) {
     if (!count) return;
     if (out->csv && !out->header_written) {
         stamp(out->csv, "# ");
-        fprintf(out->csv, "job,name,build,precision,bands,items,ns,ns_min,spread,cycles,flops,bytes_read,bytes_written,"
+        fprintf(out->csv, "job,name,peer,build,precision,bands,items,ns,ns_min,spread,cycles,flops,bytes_read,bytes_written,"
                           "of_write,of_copy,of_flops\n");
         out->header_written = 1;
     }
