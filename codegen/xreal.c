@@ -18,7 +18,7 @@ xreal x_sqrt(xreal v) {
     return s;
 }
 
-/* Rounds half up at the last digit; a tie cannot be met by an irrational, and a dyadic rational ends before it. */
+/* Rounds to nearest at the last digit; a tie may go either way, but no irrational meets one. */
 void x_print(xreal v, int digits, char *text) {
     char digit[48] = { 0 };
     int exponent = 0, i, last;
