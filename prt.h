@@ -50,6 +50,7 @@
      >>project    samples, analytic lights, environment maps, convolution
      >>convert    coefficients and axes of other programs: DirectXMath, Unity, Unreal, three.js, Filament, splats
      >>window     Hann, Lanczos and positive windows
+     >>ch         cpherical harmonics: evaluation, norms, conversion, moments, dot product
      >>shade      exit radiance from transfer
      >>reference  slow evaluators by other routes, for tests
      >>generated  straight-line kernels, written by codegen/
@@ -93,6 +94,8 @@
      [Adams 1878]        Adams: On the Expression of the Product of Any Two Legendre's Coefficients by Means of a
                          Series of Legendre's Coefficients. Proceedings of the Royal Society of London 27, 1878
      [Szego 1939]        Szego: Orthogonal Polynomials, section 7.7. AMS Colloquium Publications 23, 1939
+     [Sherif 2013]       Sherif: Vector Occluders: An Empirical Approximation for Rendering Global Illumination
+                         Effects in Real-Time. MSc thesis, University of Ontario Institute of Technology, 2013
      [Chapter 2010]      Chapter: Textured Hierarchical Precomputed Radiance Transfer. Cal Poly 2010
 */
 #ifndef PRT_H_INCLUDED
@@ -285,7 +288,7 @@ typedef enum prt_sh_convention {
     PRT_CONVENTION_DIRECTX,             /* D3DX and DirectXMath SHMath: (-1)^m times ours */
     PRT_CONVENTION_GOOGLE,              /* google/spherical-harmonics: (-1)^m */
     PRT_CONVENTION_UNREAL,              /* FSHVector, TSHVector: (-1)^m */
-    PRT_CONVENTION_SPLAT,               /* 3D Gaussian splatting, f_dc and f_rest: (-1)^m; the colour is 0.5 + the sum */
+    PRT_CONVENTION_SPLAT,               /* 3D Gaussian splatting, f_dc and f_rest: (-1)^m; colour = 0.5 + the sum */
     PRT_CONVENTION_FILAMENT,            /* cmgen without pre-scaling, IndirectLight::Builder::radiance: (-1)^m */
     PRT_CONVENTION_FILAMENT_IRRADIANCE, /* IndirectLight::Builder::irradiance, pre-scaled: see below */
     PRT_CONVENTION_UNITY                /* SphericalHarmonicsL2, light probes: as FILAMENT_IRRADIANCE */
@@ -312,7 +315,7 @@ PRTDEF prt_result prt_sh_unpack_irradiance(const prt_real constants[28], prt_rea
 
 /* Axes of a world, as three letters: where +x, +y and +z point for somebody who stands in it. R right, L left, U up,
    D down, F forward, B backward; each pair once, in any order: 48 worlds, 24 of them left-handed. */
-#define PRT_AXES_BLENDER "RFU"          /* z up, right-handed: Blender, 3ds Max, CAD; the usual reading of prt.h itself */
+#define PRT_AXES_BLENDER "RFU"          /* z up, right-handed: Blender, 3ds Max, CAD; the usual reading of prt.h */
 #define PRT_AXES_OPENGL  "RUB"          /* y up, right-handed: OpenGL, three.js, Filament, Godot, Maya, SPZ */
 #define PRT_AXES_UNITY   "RUF"          /* y up, left-handed: Unity, Direct3D */
 #define PRT_AXES_UNREAL  "FRU"          /* z up, left-handed: Unreal Engine */
@@ -414,6 +417,47 @@ PRTDEF prt_result prt_sh_rotate_by_soa(int bands, const prt_real *blocks, int co
    stays below 1e-28 of the neighbouring coefficients); tests compare it with exact rational arithmetic to l = 150.
    Cost: O(l1 + l2 + l3) operations, about 10 microseconds at l = 20; for tables and tests, not for inner loops. */
 PRTDEF double prt_sh_triple(int l1, int m1, int l2, int m2, int l3, int m3);
+
+/* ---------------------------------------------------------------------------------------------------- >>ch ---- */
+
+/* Cpherical harmonics [Sherif 2013, chapter 6]: SH with Chebyshev polynomials in the place of Legendre's,
+     C(l,m) = A(l,m) (1-z^2)^(m/2) d^m T_l(z)/dz^m {1, cos(m phi), sin(|m| phi)},  of unit norm, laid out as SH.
+   n bands of C span exactly the functions that n bands of Y span, but C is NOT ORTHOGONAL: int C(0,0) C(2,0) = -0.488. A
+   vector here holds coefficients, f = sum_i a_i C_i; the inner products int f C_i are its *moments*, other numbers, and
+   SH's matrices do not turn it. The thesis uses moments as coefficients, a dot product as integral, and SH's rotations:
+   docs/papers.md has what that costs. With C = S Y (S lower triangular for each m, unit rows, Gram matrix S S^T):
+     a = S^-T f_SH,   moments = S f_SH,   int f g = a_f . moments_g,   rotation a' = S^-T R S^T a.
+   S is made row by row in double where it is needed, about n^3/12 square roots and divisions a conversion, no table. */
+
+/* A(l,m), with sqrt 2 folded in for m != 0 as in the thesis' table; the sign of m does not matter. 0 unless |m| <= l < 65536.
+   Closed form for every l and m, an open point of the thesis: A = K(l,m) / (t(l,0) sqrt H(l,m)), where t and H are the
+   expansion of T_l in Legendre polynomials. Relative error 3e-16 to l = 64 (tests/test_ch.c); underflows to 0 from
+   about l = m = 150. Cost: O(l) multiplications and divisions. */
+PRTDEF double prt_ch_norm(int l, int m);
+
+/* The basis at one direction, at count of them, and with coefficient i of direction k at out[i*stride+k]: as
+   prt_sh_eval, prt_sh_eval_n and prt_sh_eval_soa in shapes, errors, cost and determinism. Straight-line kernels to 10
+   bands with the same operation counts as SH's; above, the recurrence
+     C(l) = a z C(l-1) - c C(l-2),   a = a_SH sqrt(H(l-1,m)/H(l,m)),   c = a(l) a(l-1) (l+m-2)(l-1-m) / (4(l-2)(l-1)),
+   from C(m,m) = Y(m,m), with a from a table to 64 bands; beyond, O(l) for each a. Absolute error float/double:
+   2.5e-6/6e-15 to 14 bands, 1.2e-5/3e-14 to 33 (tests/test_ch.c). */
+PRTDEF prt_result prt_ch_eval    (int bands, prt_vec3 dir, prt_real *c);
+PRTDEF prt_result prt_ch_eval_n  (int bands, int count, const prt_vec3 *dirs, prt_real *c);
+PRTDEF prt_result prt_ch_eval_soa(int bands, int count, const prt_real *x, const prt_real *y, const prt_real *z,
+                                  prt_real *out, size_t stride);
+/* sum_i f_i C_i(dir); 0 for bad arguments. Cost: prt_ch_eval and bands^2 multiply-adds. */
+PRTDEF prt_real   prt_ch_at      (int bands, const prt_real *f, prt_vec3 dir);
+
+/* The same function in the other basis, and moments to and from coefficients; bands^2 numbers each, out may alias in.
+   Well conditioned: the Gram matrix has condition 0.87 bands. Relative error, of the norm, 1e-7/3e-16 at 16 bands.
+   Errors: PRT_ERR_BANDS, PRT_ERR_NULL. Cost: bands^3/3 multiply-adds and the rows of S; from and to moments, twice. */
+PRTDEF prt_result prt_ch_from_sh     (int bands, const prt_real *sh, prt_real *ch);       /* a = S^-T f */
+PRTDEF prt_result prt_sh_from_ch     (int bands, const prt_real *ch, prt_real *sh);       /* f = S^T a */
+PRTDEF prt_result prt_ch_from_moments(int bands, const prt_real *moments, prt_real *ch);  /* a = S^-T S^-1 moments */
+PRTDEF prt_result prt_ch_to_moments  (int bands, const prt_real *ch, prt_real *moments);  /* moments = S S^T a */
+
+/* int f g over the sphere, by the Gram matrix; 0 for bad arguments. Cost: two conversions. */
+PRTDEF prt_real   prt_ch_dot(int bands, const prt_real *f, const prt_real *g);
 
 /* ------------------------------------------------------------------------------------------------- >>shade ---- */
 
@@ -2469,6 +2513,276 @@ PRTDEF double prt_sh_triple(int l1, int m1, int l2, int m2, int l3, int m3) {
     if (c >= a && c >= b) return prt__triple_ordered(l1, m1, l2, m2, l3, m3);
     if (b >= a) return prt__triple_ordered(l1, m1, l3, m3, l2, m2);
     return prt__triple_ordered(l2, m2, l3, m3, l1, m1);
+}
+
+/* ---------------------------------------------------------------------------------------------------- >>ch ---- */
+
+enum { PRT__CH_TABLED = 64 };                                  /* bands whose factors stand in the generated table */
+
+static prt__sh_kernel prt__ch_eval_1, prt__ch_eval_2, prt__ch_eval_3, prt__ch_eval_4, prt__ch_eval_5,
+                      prt__ch_eval_6, prt__ch_eval_7, prt__ch_eval_8, prt__ch_eval_9, prt__ch_eval_10;
+static prt__sh_kernel_v prt__ch_eval_1_v, prt__ch_eval_2_v, prt__ch_eval_3_v, prt__ch_eval_4_v, prt__ch_eval_5_v,
+                        prt__ch_eval_6_v, prt__ch_eval_7_v, prt__ch_eval_8_v, prt__ch_eval_9_v, prt__ch_eval_10_v;
+static prt__sh_kernel_at prt__ch_at_1, prt__ch_at_2, prt__ch_at_3, prt__ch_at_4, prt__ch_at_5,
+                         prt__ch_at_6, prt__ch_at_7, prt__ch_at_8, prt__ch_at_9, prt__ch_at_10;
+static const double *prt__ch_steps(void);
+
+static prt__sh_kernel *const prt__ch_kernels[PRT__SH_KERNELS] = {
+    prt__ch_eval_1, prt__ch_eval_2, prt__ch_eval_3, prt__ch_eval_4, prt__ch_eval_5,
+    prt__ch_eval_6, prt__ch_eval_7, prt__ch_eval_8, prt__ch_eval_9, prt__ch_eval_10
+};
+static prt__sh_kernel_v *const prt__ch_kernels_v[PRT__SH_KERNELS] = {
+    prt__ch_eval_1_v, prt__ch_eval_2_v, prt__ch_eval_3_v, prt__ch_eval_4_v, prt__ch_eval_5_v,
+    prt__ch_eval_6_v, prt__ch_eval_7_v, prt__ch_eval_8_v, prt__ch_eval_9_v, prt__ch_eval_10_v
+};
+static prt__sh_kernel_at *const prt__ch_kernels_at[PRT__SH_KERNELS] = {
+    prt__ch_at_1, prt__ch_at_2, prt__ch_at_3, prt__ch_at_4, prt__ch_at_5,
+    prt__ch_at_6, prt__ch_at_7, prt__ch_at_8, prt__ch_at_9, prt__ch_at_10
+};
+
+/* Entry j+1 of a row of S over entry j. T_l = sum_j t(l,j) P_{l-2j}, and with L = l-2j
+     t(l,j+1)/t(l,j) = (2L-3)(2j-1)(2l-2j+1) / ((2L+1)(2j+2)(2l-2j-2)),
+   derivatives keep it; the root is K(L,m)/K(L-2,m). */
+PRT__STATIC double prt__ch_ratio(int l, int m, int j) {
+    double L = l - 2 * j, t = (2 * L - 3) * (2 * j - 1) * (2 * l - 2 * j + 1) / ((2 * L + 1) * (2 * j + 2) * (l + L - 2));
+    return t * sqrt((2 * L + 1) * (L - m) * (L - m - 1) / ((2 * L - 3) * (L + m) * (L + m - 1)));
+}
+
+/* H(l,m) = 1 + q0 (1 + q1 (1 + ...)), the square of the row's length over that of its first entry; 1 <= H <= 1.33 */
+PRT__STATIC double prt__ch_length2(int l, int m) {
+    double h = 1;
+    int j;
+    for (j = (l - m) / 2 - 1; j >= 0; j--) {
+        double r = prt__ch_ratio(l, m, j);
+        h = 1 + r * r * h;
+    }
+    return h;
+}
+
+/* row[j] = S(l, l-2j, m): C(l,m) = sum_j row[j] Y(l-2j,m). Returns how many. */
+PRT__STATIC int prt__ch_row(int l, int m, double *row) {
+    int j, count = (l - m) / 2 + 1;
+    row[0] = 1 / sqrt(prt__ch_length2(l, m));
+    for (j = 0; j + 1 < count; j++) row[j + 1] = row[j] * prt__ch_ratio(l, m, j);
+    return count;
+}
+
+/* a(l,m) a(l-1,m) times this is c(l,m) */
+PRT__INLINE double prt__ch_fraction(int l, int m) {
+    return l == 2 ? 0.5 : (double)((l + m - 2) * (l - 1 - m)) / (double)(4 * (l - 2) * (l - 1));
+}
+
+PRT__STATIC double prt__ch_far_step(int l, int m) {
+    return sqrt((4.0 * l * l - 1) / ((double)(l - m) * (l + m)) * prt__ch_length2(l - 1, m) / prt__ch_length2(l, m));
+}
+
+PRT__STATIC prt__sh_step prt__ch_far_factors(int l, int m) {
+    prt__sh_step s;
+    double a = prt__ch_far_step(l, m);
+    s.a = (prt_real)a;
+    s.c = l - m < 2 ? 0 : (prt_real)(a * prt__ch_far_step(l - 1, m) * prt__ch_fraction(l, m));
+    return s;
+}
+
+PRT__INLINE prt__sh_step prt__ch_factors(int l, int m) {       /* l > m; c(m+1,m) = 0 */
+    prt__sh_step s;
+    const double *a;
+    if (l >= PRT__CH_TABLED) return prt__ch_far_factors(l, m);
+    a = prt__ch_steps() + (l - 1) * l / 2 + m;
+    s.a = (prt_real)*a;
+    s.c = l - m < 2 ? 0 : (prt_real)(*a * a[1 - l] * prt__ch_fraction(l, m));
+    return s;
+}
+
+PRT__STATIC prt_real prt__ch_recurrence(int bands, prt_vec3 d, const prt_real *f, prt_real *PRT__RESTRICT y,
+                                        size_t stride) {
+    return prt__recurrence_with(prt__ch_factors, bands, d, f, y, stride);
+}
+PRT__STATIC void prt__ch_recurrence_v(int bands, const prt__sh_block *b) {
+    prt__recurrence_with_v(prt__ch_factors, bands, b);
+}
+
+static const prt__basis prt__ch_basis = {
+    prt__ch_kernels, prt__ch_kernels_v, prt__ch_kernels_at, prt__ch_recurrence, prt__ch_recurrence_v
+};
+
+/* A product of many integers and their inverses that keeps what rounding drops: value = (hi + lo) 2^exponent. */
+typedef struct prt__long_product { double hi, lo; int exponent; } prt__long_product;
+
+PRT__STATIC void prt__multiply(prt__long_product *p, double k) {
+    double hi = p->hi * k;
+    p->lo = p->lo * k + fma(p->hi, k, -hi);
+    p->hi = hi;
+}
+
+PRT__STATIC void prt__divide(prt__long_product *p, double k) {
+    double hi = p->hi / k;
+    p->lo = (p->lo + fma(-hi, k, p->hi)) / k;
+    p->hi = hi;
+    if (p->hi < 1e-150) {                                      /* factorials of a few hundred leave the range of double */
+        p->hi = ldexp(p->hi, 512);
+        p->lo = ldexp(p->lo, 512);
+        p->exponent -= 512;
+    }
+}
+
+/* A^2 = (2l+1)/(4 pi) (l-m)!/(l+m)! / (t(l,0)^2 H), doubled for m > 0;  1/t(l,0) = 2 prod_k (2k-1)/(2k) */
+PRTDEF double prt_ch_norm(int l, int m) {
+    prt__long_product p = { 1, 0, 0 };
+    int k;
+    if (l < 0 || l > 65535 || m < -l || m > l) return 0;
+    if (m < 0) m = -m;
+    prt__multiply(&p, m ? 2.0 * (2.0 * l + 1) : 2.0 * l + 1);
+    if (l > 0) prt__multiply(&p, 4);
+    for (k = 1; k <= l; k++) {
+        double odd = (2.0 * k - 1) * (2.0 * k - 1), even = 4.0 * k * k;
+        prt__multiply(&p, odd);
+        prt__divide(&p, even);
+    }
+    for (k = l - m + 1; k <= l + m; k++) prt__divide(&p, k);
+    return ldexp(sqrt((p.hi + p.lo) / (4 * PRT__PI * prt__ch_length2(l, m))), p.exponent / 2);
+}
+
+PRTDEF prt_result prt_ch_eval(int bands, prt_vec3 dir, prt_real *c) {
+    if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
+    if (!c) return PRT_ERR_NULL;
+    prt__eval(&prt__ch_basis, bands, dir, c);
+    return PRT_OK;
+}
+
+PRTDEF prt_result prt_ch_eval_n(int bands, int count, const prt_vec3 *dirs, prt_real *c) {
+    return prt__eval_n(&prt__ch_basis, bands, count, dirs, c);
+}
+
+PRTDEF prt_result prt_ch_eval_soa(int bands, int count, const prt_real *x, const prt_real *y, const prt_real *z,
+                                  prt_real *out, size_t stride) {
+    return prt__eval_soa(&prt__ch_basis, bands, count, x, y, z, out, stride);
+}
+
+PRTDEF prt_real prt_ch_at(int bands, const prt_real *f, prt_vec3 dir) {
+    return prt__at(&prt__ch_basis, bands, f, dir);
+}
+
+/* The coefficients of one order m: sines and cosines of the bands l >= m, indexed by l. S acts on each alike. */
+typedef struct prt__ch_column { double sine[PRT_MAX_BANDS], cosine[PRT_MAX_BANDS]; } prt__ch_column;
+
+PRT__STATIC void prt__ch_load(int bands, int m, const prt_real *f, prt__ch_column *v) {
+    int l;
+    for (l = m; l < bands; l++) {
+        v->sine[l] = f[PRT_SH_INDEX(l, -m)];
+        v->cosine[l] = f[PRT_SH_INDEX(l, m)];
+    }
+}
+
+PRT__STATIC void prt__ch_store(int bands, int m, const prt__ch_column *v, prt_real *f) {
+    int l;
+    for (l = m; l < bands; l++) {
+        f[PRT_SH_INDEX(l, -m)] = (prt_real)v->sine[l];
+        f[PRT_SH_INDEX(l, m)] = (prt_real)v->cosine[l];
+    }
+}
+
+/* The four steps between coefficients, SH and moments, in place; each visits the rows in the order that allows it. */
+typedef void prt__ch_step_of(int bands, int m, prt__ch_column *v);
+
+PRT__STATIC void prt__ch_sh_from_coefficients(int bands, int m, prt__ch_column *v) {           /* v = S^T v */
+    double row[PRT_MAX_BANDS];
+    int l, j, count;
+    for (l = m; l < bands; l++) {
+        double s = v->sine[l], c = v->cosine[l];
+        count = prt__ch_row(l, m, row);
+        v->sine[l] = row[0] * s;
+        v->cosine[l] = row[0] * c;
+        for (j = 1; j < count; j++) {
+            v->sine[l - 2 * j] += row[j] * s;
+            v->cosine[l - 2 * j] += row[j] * c;
+        }
+    }
+}
+
+PRT__STATIC void prt__ch_coefficients_from_sh(int bands, int m, prt__ch_column *v) {           /* v = S^-T v */
+    double row[PRT_MAX_BANDS];
+    int l, j, count;
+    for (l = bands - 1; l >= m; l--) {
+        count = prt__ch_row(l, m, row);
+        v->sine[l] /= row[0];
+        v->cosine[l] /= row[0];
+        for (j = 1; j < count; j++) {
+            v->sine[l - 2 * j] -= row[j] * v->sine[l];
+            v->cosine[l - 2 * j] -= row[j] * v->cosine[l];
+        }
+    }
+}
+
+PRT__STATIC void prt__ch_moments_from_sh(int bands, int m, prt__ch_column *v) {                /* v = S v */
+    double row[PRT_MAX_BANDS];
+    int l, j, count;
+    for (l = bands - 1; l >= m; l--) {
+        count = prt__ch_row(l, m, row);
+        v->sine[l] *= row[0];
+        v->cosine[l] *= row[0];
+        for (j = 1; j < count; j++) {
+            v->sine[l] += row[j] * v->sine[l - 2 * j];
+            v->cosine[l] += row[j] * v->cosine[l - 2 * j];
+        }
+    }
+}
+
+PRT__STATIC void prt__ch_sh_from_moments(int bands, int m, prt__ch_column *v) {                /* v = S^-1 v */
+    double row[PRT_MAX_BANDS];
+    int l, j, count;
+    for (l = m; l < bands; l++) {
+        count = prt__ch_row(l, m, row);
+        for (j = 1; j < count; j++) {
+            v->sine[l] -= row[j] * v->sine[l - 2 * j];
+            v->cosine[l] -= row[j] * v->cosine[l - 2 * j];
+        }
+        v->sine[l] /= row[0];
+        v->cosine[l] /= row[0];
+    }
+}
+
+PRT__STATIC prt_result prt__ch_convert(int bands, prt__ch_step_of *first, prt__ch_step_of *second, const prt_real *f,
+                                       prt_real *out) {
+    prt__ch_column v;
+    int m;
+    if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
+    if (!f || !out) return PRT_ERR_NULL;
+    for (m = 0; m < bands; m++) {
+        prt__ch_load(bands, m, f, &v);
+        first(bands, m, &v);
+        if (second) second(bands, m, &v);
+        prt__ch_store(bands, m, &v, out);
+    }
+    return PRT_OK;
+}
+
+PRTDEF prt_result prt_ch_from_sh(int bands, const prt_real *sh, prt_real *ch) {
+    return prt__ch_convert(bands, prt__ch_coefficients_from_sh, NULL, sh, ch);
+}
+PRTDEF prt_result prt_sh_from_ch(int bands, const prt_real *ch, prt_real *sh) {
+    return prt__ch_convert(bands, prt__ch_sh_from_coefficients, NULL, ch, sh);
+}
+PRTDEF prt_result prt_ch_from_moments(int bands, const prt_real *moments, prt_real *ch) {
+    return prt__ch_convert(bands, prt__ch_sh_from_moments, prt__ch_coefficients_from_sh, moments, ch);
+}
+PRTDEF prt_result prt_ch_to_moments(int bands, const prt_real *ch, prt_real *moments) {
+    return prt__ch_convert(bands, prt__ch_sh_from_coefficients, prt__ch_moments_from_sh, ch, moments);
+}
+
+PRTDEF prt_real prt_ch_dot(int bands, const prt_real *f, const prt_real *g) {
+    prt__ch_column a, b;
+    double sum = 0;
+    int l, m;
+    if (!prt__bands_ok(bands) || !f || !g) return 0;
+    for (m = 0; m < bands; m++) {
+        prt__ch_load(bands, m, f, &a);
+        prt__ch_load(bands, m, g, &b);
+        prt__ch_sh_from_coefficients(bands, m, &a);
+        prt__ch_sh_from_coefficients(bands, m, &b);
+        for (l = m; l < bands; l++) sum += a.cosine[l] * b.cosine[l] + (m ? a.sine[l] * b.sine[l] : 0);
+    }
+    return (prt_real)sum;
 }
 
 /* ------------------------------------------------------------------------------------------------- >>shade ---- */
@@ -4726,6 +5040,2522 @@ PRT__STATIC void prt__sh_at_10(prt_real x, prt_real y, prt_real z, const prt_rea
     const prt_real t94 = (((t46 + (t49 * t59 + t60 * t62)) + t75) + t84) + (t86 * (t89 + t91 * f[84]) + t92 * (t93 + t91 * f[96]));
     const prt_real t95 = PRT__R(2.91570664069931947548) * z;
     const prt_real t96 = PRT__R(9.26339318284890424012) * t2 - PRT__R(0.544905481344053190595);
+    const prt_real t97 = (PRT__R(0.707162732524596178226) * f[49] + t95 * f[65]) + t96 * f[83];
+    const prt_real t98 = (PRT__R(0.707162732524596178226) * f[63] + t95 * f[79]) + t96 * f[97];
+    const prt_real t99 = t94 + ((y * t92 + x * t86) * t97 + (x * t92 - y * t86) * t98);
+    const prt_real t100 = t73 * t64;
+    const prt_real t101 = t100 + t100;
+    const prt_real t102 = PRT__R(3.1773176489546974773) * z;
+    const prt_real t103 = t101 * (PRT__R(0.72892666017482986887) * f[64] + t102 * f[82]);
+    const prt_real t104 = (t73 + t64) * (t73 - t64);
+    const prt_real t105 = t104 * (PRT__R(0.72892666017482986887) * f[80] + t102 * f[98]);
+    const prt_real t106 = (y * t104 + x * t101) * (PRT__R(0.74890095185318829655) * f[81]);
+    const prt_real t107 = (x * t104 - y * t101) * (PRT__R(0.74890095185318829655) * f[99]);
+    out[0] = (t99 + (t103 + t105)) + (t106 + t107);
+}
+
+/* END GENERATED */
+
+/* BEGIN GENERATED: prt_codegen --table ch_steps --bands 64 */
+/* a(l,m) of CH's recurrence at (l-1)l/2 + m, 0 <= m < l < 64 */
+PRT__STATIC const double *prt__ch_steps(void) {
+    static const double table[2016] = {
+        1.7320508075688773, 1.6903085094570332, 2.2360679774997897, 1.9603921176392137, 2.0367003088692622,
+        2.6457513110645906, 1.987054880161641, 2.0124611797498107, 2.2677868380553634, 3.0, 1.9941605714785483,
+        2.0057061456896279, 2.1480763975561548, 2.4742148513083464, 3.3166247903553998, 1.9968676566524542,
+        2.0030840419244385, 2.093975861212525, 2.2860032725192412, 2.6653001963403713, 3.6055512754639893,
+        1.9981247065730925, 2.0018544278439162, 2.0648507494718002, 2.1930991604053257, 2.4199173539606678,
+        2.8442727788398633, 3.8729833462074169, 1.9987882458748263, 2.0012015621390296, 2.047379529757828,
+        2.1396076962767153, 2.2935777499036682, 2.5488050711208436, 3.0131410643329466, 4.1231056256176605,
+        1.9991716711179193, 2.0008228759862675, 2.0360862262771316, 2.1057755982810943, 2.218229463386103,
+        2.392743487091899, 2.6726782978341193, 3.1733883113702302, 4.3588989435406736, 1.9994087213470191,
+        2.0005881488143607, 2.0283727587492686, 2.0829514014290433, 2.1691371702312855, 2.2975809211965715,
+        2.489681609607561, 2.7918297807334465, 3.3261711672952644, 4.58257569495584, 1.9995631757073595,
+        2.0004349244370213, 2.0228756280593875, 2.0668031220608441, 2.135169204294917, 2.234364341093652,
+        2.3763520512790265, 2.5840925137151841, 2.9066231496347656, 3.4724151686597994, 4.7958315233127195,
+        1.9996681324128817, 2.0003306604965968, 2.0188230895717833, 2.0549499841938526, 2.1106076971797445,
+        2.1898710720001093, 2.3000188597580234, 2.4539475610035392, 2.6759285308831015, 3.0174214732350599,
+        3.6128740199357416, 5.0, 1.9997419521310465, 2.0002572512712421, 2.0157517624457893, 2.0459897937207067,
+        2.092235193547692, 2.1572101961375751, 2.2456238038364519, 2.3653686334802338, 2.5300967999106967,
+        2.7652519438950143, 3.1245624282254788, 3.7481702853265456, 5.1961524227066319, 1.9997953859527103,
+        2.0002040712213872, 2.0133698572941911, 2.0390510250379894, 2.0781152516843035, 2.1324496102708735,
+        2.2052465430500704, 2.3016462162936614, 2.4300238363185462, 2.6046902896750347, 2.8521724887444233,
+        3.2283511329073853, 3.8788245800491614, 5.385164807134504, 1.9998350175291068, 2.0001646022800203,
+        2.0114862789168185, 2.0335680249559994, 2.0670202311006564, 2.1131910060937211, 2.174326097205249,
+        2.2539350957211679, 2.3574895981102861, 2.4937755696335927, 2.6777027651120201, 2.9368178896385568,
+        3.3290599361299711, 4.0052770471494781, 5.5677643628300219, 1.9998650335727451, 2.0001346937402612,
+        2.0099716802712954, 2.0291603287173019, 2.0581388191008205, 2.0978946489369149, 2.1500556791678385,
+        2.2171089919415506, 2.3028041293594267, 2.4128889250727459, 2.5565163102398522, 2.7491539651233711,
+        3.0193194920611515, 3.4269308426876317, 4.1279034532199262, 5.7445626465380287, 1.999888183825703,
+        2.0001116164858419, 2.0087360112832277, 2.025564241553627, 2.0509162377594557, 2.0855308343430844,
+        2.1306177107677025, 2.1879931834420182, 2.2603250221480068, 2.3515593401801365, 2.4676866222622542,
+        2.618197572032403, 2.8190875376835237, 3.0998052480889232, 3.5221787608121024, 4.2470274396897419,
+        5.916079783099616, 1.9999063253787454, 2.0000935256845422, 2.0077150376160533, 2.0225922605427948,
+        2.0449621317650367, 2.0753875749247145, 2.1147865775535763, 2.1645190110010805, 2.2265414000683474,
+        2.3036675527308525, 2.4000136201368254, 2.5217906149422093, 2.6788060690236118, 2.8875592610498963,
+        3.178396433309722, 3.6149948085103255, 4.362929977484055, 6.0827625302982197, 1.9999207434266268,
+        2.0000791436655699, 2.0068619572722981, 2.020108074151275, 2.0399950706610667, 2.0669586578767822,
+        2.1017081017176468, 2.145283081406223, 2.1991548508812979, 2.2653921176161495, 2.3469333460226598,
+        2.4480473067647716, 2.575149959560271, 2.738349717326816, 2.9546303110950515, 3.2552063032174443,
+        3.7055493746078802, 4.4758567557484005, 6.2449979983983982, 1.999932346723025, 2.0000675664262621,
+        2.0061420264282919, 2.0180106484142029, 2.0358078453837526, 2.0598755542698558, 2.0907703831753223,
+        2.129301561634211, 2.176598930219687, 2.2342222203786958, 2.3043348429423875, 2.3899858552992532,
+        2.4955845009388467, 2.6277400784241613, 2.7968491500628209, 3.0203633710003392, 3.3303397642338529,
+        3.7939948340696669, 4.5860240231632232, 6.4031242374328487, 1.9999417902411216, 2.0000581420701607,
+        2.0055290212410304, 2.0162238061976502, 2.0322450680070691, 2.0538644455787339, 2.0815247511471897,
+        2.1158656712307605, 2.1577705482031798, 2.2084404948503145, 2.2695092716009845, 2.343223437350252,
+        2.4327328728453352, 2.5425783726157127, 2.6795535116365342, 2.8543324514260623, 3.0848203899262783,
+        3.4038935677002252, 3.8804679064312172, 4.6936232553890239, 6.5574385243020007, 1.9999495541851029,
+        2.0000503924310649, 2.0050028527938297, 2.0146892318661692, 2.0291883103429987, 2.0487182364878781,
+        2.0736355692403066, 2.10445286536852, 2.1418715171642559, 2.1868332773187392, 2.2405984787989204,
+        2.3048652933379769, 2.3819553989926986, 2.4751123829665493, 2.5890017401552189, 2.7305939702025162,
+        2.9108318336861601, 3.1480613192020396, 3.4759567604042175, 3.9650916830250622, 4.7988249214398157,
+        6.7082039324993691, 1.9999559960836461, 2.0000439613579717, 2.0045479251846476, 2.0133616710284391,
+        2.0265460043910163, 2.0442778265929505, 2.0668473477160692, 2.0946701967677002, 2.1283108670882349,
+        2.1685193080762345, 2.2162855517205321, 2.2729210656372762, 2.3401817313812521, 2.4204585196947219,
+        2.5170833206961259, 2.634840867361349, 2.7808724312440756, 2.9663815185451333, 3.2101434364525989,
+        3.5466112459922502, 4.0479773614333982, 4.9017815507497001, 6.8556546004010441, 1.9999613858614296,
+        2.0000385798748119, 2.0041519836677429, 2.0122055713438272, 2.0242464316233298, 2.040419277599226,
+        2.0609626055839458, 2.0862170484960421, 2.1166423600729684, 2.152843886309669, 2.1956115594550056,
+        2.2459768377519717, 2.305296664358334, 2.3753797709314539, 2.4586820277415618, 2.5586193750849749,
+        2.6800912887332636, 2.8304045318165478, 3.0210163812602374, 3.271121025985478, 3.6159323779301382,
+        4.1292257274704379, 5.0026302519380342, 7.0, 1.9999659299007684, 2.0000340422634726, 2.0038052926981451,
+        2.0111926900176813, 2.0222327635541778, 2.0370448346880437, 2.0558266138404546, 2.0788599420449,
+        2.1065232474073084, 2.1393110070040292, 2.1778621183295637, 2.2230006479744084, 2.2757946577236756,
+        2.3376424565845098, 2.4104019753978065, 2.496590557865065, 2.5997047421487252, 2.7247549485700321,
+        2.8792088077926733, 3.0747710862146434, 3.3310452749437799, 3.6839895416885056, 4.208928422254374,
+        5.1014947975505391, 7.14142842854285, 1.9999697878350701, 2.0000301893627797, 2.0035000402526377,
+        2.0103003624726671, 2.0204594934122305, 2.034076526844183, 2.05131666086343, 2.0724151032640838,
+        2.0976863029919753, 2.1275384629267262, 2.1624945316418604, 2.2032219369486685, 2.2505747391863252,
+        2.3056540913218425, 2.3698965844529874, 2.4452065181467942, 2.5341599572343058, 2.6403311599533935,
+        2.7688382111488163, 2.927305493430349, 3.1276795433646853, 3.3899642987438735, 3.7508467046890334,
+        4.2871690275249656, 5.1984873621640006, 7.2801098892805183, 1.9999730844542524, 2.0000268967233079,
+        2.0032299000075083, 2.0095102312431744, 2.0188898291239269, 2.031451528951907, 2.0473343593970253,
+        2.066736145307945, 2.0899204086910123, 2.1172273270405289, 2.1490894970431469, 2.1860540048413059,
+        2.2288132313190908, 2.2782482034699561, 2.335490528423859, 2.4020126966707014, 2.4797631197972959,
+        2.571374314730463, 2.6804958062968205, 2.8123504599888287, 2.9747156990431047, 3.1797745762302447,
+        3.447923241996366, 3.8165629243237995, 4.3640239976621433, 5.2937099813360648, 7.4161984870956629,
+        1.999975918266596, 2.0000240660854716, 2.0029897053609066, 2.0088073003678586, 2.0174937619890937,
+        2.0291187499448621, 2.043800041895723, 2.0617052058670589, 2.083056795463376, 2.1081407162148194,
+        2.1373182205086192, 2.1710425399864918, 2.2098817910701528, 2.2545506809246683, 2.3059549264104547,
+        2.3652545542260984, 2.4339560641789559, 2.5140501353224764, 2.6082238235103962, 2.7201997882655785,
+        2.8553031023555345, 3.0214608471380299, 3.231087730192553, 3.5049644212353517, 3.8811928109529228,
+        4.4395634624559492, 5.3872557839903281, 7.5498344352707497, 1.9999783677376433, 2.0000216191675546,
+        2.0027752038326896, 2.0081792233742334, 2.0162466176788009, 2.0270362885892505, 2.0406486164283742,
+        2.0572264647432216, 2.0769591127080553, 2.1000887053272293, 2.1269194888967064, 2.1578305161208676,
+        2.1932929415933737, 2.2338936194342358, 2.2803676021173893, 2.3336435396944734, 2.39490826948258,
+        2.4657007654840936, 2.5480524330563599, 2.6447032222404444, 2.7594470449272468, 2.8977088566696995,
+        3.0675622872318915, 3.2816491740475021, 3.5611274883566622, 3.9447869463916443, 4.5138519207889889,
+        5.4792100395765563, 7.6811457478686082, 1.9999804958919468, 2.0000194930823928, 2.0025828699875633,
+        2.0076157611556976, 2.0151279564086987, 2.0251695126471667, 2.0378264611833302, 2.0532213321912349,
+        2.0715161427122951, 2.0929174127773808, 2.1176833518723564, 2.146133682608794, 2.1786628808033463,
+        2.2157580131621376, 2.2580229369536805, 2.3062115198807983, 2.3612739581470449, 2.4244225986496574,
+        2.4972276161125296, 2.5817598294120717, 2.680810645026039, 2.7982435427485485, 2.9395812399430745,
+        3.1130410353054565, 3.3314876633853922, 3.6164496016143499, 4.0073922602748446, 4.5869488420650203,
+        5.5696510527666164, 7.8102496759066544, 1.9999823537456377, 2.0000176369175963, 2.0024097614865862,
+        2.0071083649427443, 2.0141207291825332, 2.0234895921668075, 2.0352890687201352, 2.049624829566654,
+        2.0666363766859802, 2.0865009741150626, 2.1094392935514173, 2.1357230936229139, 2.1656854813213232,
+        2.1997345841408482, 2.2383718539871722, 2.2822168090571181, 2.3320409245654018, 2.3888148244402072,
+        2.4537752916762428, 2.5285226251820338, 2.6151659200511631, 2.7165467643190564, 2.8365966811700998,
+        2.9809341981980183, 3.1579176008015815, 3.3806305446156262, 3.6709655960914497, 4.0690523675650581,
+        4.6589091894195652, 5.6586509318465589, 7.9372539331937718, 1.9999839828937302, 2.0000160091572382,
+        2.0022534072790132, 2.0066498524367534, 2.0132106240720307, 2.0219723678173425, 2.0329992389174786,
+        2.0463828336932692, 2.0622439228287295, 2.0807355524521781, 2.1020475175758839, 2.1264124247952616,
+        2.1541137342976781, 2.1854963708137977, 2.2209807631897412, 2.2610815641516856, 2.3064328927797984,
+        2.3578228594834319, 2.4162415966610927, 2.4829494214132555, 2.5595758314005799, 2.6482671980520972,
+        2.7519141466376975, 2.8745148508157887, 3.021781840056092, 3.2022118754060485, 3.4291037852663186,
+        3.7247081488084343, 4.129807870777376, 4.7297838764190563, 5.7462762518453179, 8.0622577482985497,
+        1.9999854174793382, 2.0000145757190386, 2.0021117199958739, 2.0062341540613564, 2.0123855550848864,
+        2.020597469308259, 2.030925678546209, 2.0434499555146217, 2.0582753818998847, 2.0755348092655482,
+        2.0953924313934445, 2.1180486139619683, 2.1437462611778693, 2.1727791443396878, 2.2055028069284868,
+        2.2423489288255755, 2.2838444270144095, 2.3306371685023572, 2.3835311017884267, 2.4435350989174187,
+        2.5119322406923492, 2.5903804161103739, 2.6810623825687538, 2.7869167646927138, 2.9120071036950236,
+        3.0621382453572647, 3.2459430655398348, 3.4769320207684433, 3.7777079357181166, 4.1896966304836612,
+        4.7996201670256819, 5.8325886294374443, 8.18535277187245, 1.9999866857061068, 2.0000133084465385,
+        2.0019829267445696, 2.0058561125069657, 2.0116352591138466, 2.0193476224946885, 2.0290419056724475,
+        2.040787890386028, 2.0546774351576959, 2.0708264381155835, 2.0893777099325158, 2.1105048529181477,
+        2.1344173478943442, 2.1613671585790886, 2.1916572989311225, 2.2256529957466317, 2.2637963479260684,
+        2.3066257829409096, 2.3548022175425339, 2.4091447739217214, 2.4706804105051001, 2.5407143040638813,
+        2.620932021222187, 2.7135519036772914, 2.8215596256733291, 2.9490829063174425, 3.1020173287021527,
+        3.2891296557762697, 3.5241386110435156, 3.8299937791719194, 4.2487540074782692, 4.8684620270107834,
+        5.9176452235041766, 8.3066238629180749, 1.9999878110097054, 2.0000121839409567, 2.0018655140209978,
+        2.0055113231530661, 2.0109509755895022, 2.0182081002686914, 2.0273253850190437, 2.0383641231065021,
+        2.0514049633806827, 2.0665494825921587, 2.0839225106748369, 2.1036752697733691, 2.125989472926203,
+        2.1510826103168941, 2.1792147499446279, 2.210697312168237, 2.2459044645078481, 2.2852880547002619,
+        2.3293974041338527, 2.3789058987268167, 2.4346472721019884, 2.4976660059809818, 2.5692887867256407,
+        2.6512282204284642, 2.7457375043393101, 2.8558484866126991, 2.9857519546742957, 3.1414327434063231,
+        3.3317893940702956, 3.5707457023422739, 3.8815927852921082, 4.307013079725591, 4.9363504336828234,
+        6.0014991727360148, 8.4261497731763586, 1.999988812972477, 2.0000111826490019, 2.0017581835447652,
+        2.0051960061143065, 2.0103251899786232, 2.0171662840391474, 2.0257568400435959, 2.0361509025941495,
+        2.0484195663639511, 2.0626522401077819, 2.0789585396206226, 2.0974708453821302, 2.1183476305741446,
+        2.1417777285660966, 2.1679857823486982, 2.1972392140946526, 2.2298571851123533, 2.2662222047231658,
+        2.3067953213089631, 2.3521362382205965, 2.4029303207009154, 2.4600254313316573, 2.5244830834493792,
+        2.5976509520360806, 2.6812681062801101, 2.7776219310166817, 2.8897896355805584, 3.0220240356985558,
+        3.1803978153026705, 3.3739392922671046, 3.6167742912485164, 3.932530471216762, 4.3645048369171004,
+        5.003323649707449, 6.0841999796627494, 8.5440037453175312, 1.9999897080429071, 2.0000102881452275,
+        2.0016598166131295, 2.0049069029479985, 2.0097514269778766, 2.0162113110036752, 2.0243197014693507,
+        2.0341244235307014, 2.0456883875938945, 2.0590906083586661, 2.0744277539376263, 2.0918162429635252,
+        2.1113949660698876, 2.133328758063845, 2.1578128024567983, 2.185078220180317, 2.2153991891485292,
+        2.2491020740355802, 2.2865772358086194, 2.328294468664692, 2.3748234269008395, 2.4268610362388377,
+        2.4852688689396178, 2.5511250355947687, 2.6257977321343944, 2.7110519656715574, 2.8092086919661891,
+        2.9233897230101244, 3.0579089238480505, 3.21892549864168, 3.415595637185886, 3.6622442887780132,
+        3.98283088250871, 4.4212583551710244, 5.0694174658959839, 6.1657938488919917, 8.6602540378443865,
+        1.9999905101055513, 2.0000094865634687, 2.0015694451482313, 2.0046411927385774, 2.0092240826887515,
+        2.0153337885139513, 2.0229996620778137, 2.0322641683123688, 2.0431831737512506, 2.0558267697953234,
+        2.0702805464724356, 2.0866473219194729, 2.1050493824581279, 2.1256313281470266, 2.1485636611096265,
+        2.1740473061518126, 2.2023193222906909, 2.2336601588243445, 2.2684029434272541, 2.3069454821081715,
+        2.3497659324976588, 2.3974435322866083, 2.4506864051144077, 2.5103694643430266, 2.5775870300630581,
+        2.6537273954628382, 2.7405810233628062, 2.8405018676031016, 2.9566556314620094, 3.0934163043612178,
+        3.2570283483650837, 3.4567740088806863, 3.7071745832082403, 4.0325167012082702, 4.4773009541268831,
+        5.1346654170909546, 6.2463239860398571, 8.7749643873921221, 1.9999912309355057, 2.000008766143401,
+        2.0014862280403656, 2.0043964235149598, 2.0087382875919679, 2.0145255613082877, 2.0217843149106633,
+        2.0305523742143358, 2.0408795165441885, 2.0528281367021637, 2.0664742987950299, 2.0819091701600826,
+        2.0992408763582273, 2.1185968487949592, 2.1401267695435144, 2.1640062573610298, 2.1904414899571892,
+        2.2196750265797933, 2.2519931906497724, 2.287735507436433, 2.3273068864266518, 2.3711935232468982,
+        2.4199839218160229, 2.4743970863004734, 2.5353209437594063, 2.6038656743739186, 2.6814392816248254,
+        2.7698572382695131, 2.8715059612038036, 2.9895943750311391, 3.1285557168494525, 3.2947185044997716,
+        3.4974893036201764, 3.7515831007658695, 4.0816093451097461, 4.5326583384276996, 5.1990989746552818,
+        6.3258308627826823, 8.8881944173155889, 1.9999918805630829, 2.000008116866646, 2.0014094317095484,
+        2.0041704558818651, 2.0082897940234705, 2.0137795206975774, 2.0206628574308284, 2.0289735991295241,
+        2.0387562373000927, 2.0500664990224465, 2.0629722188443321, 2.07755453351302, 2.0939094266950895,
+        2.1121496777938957, 2.1324072950553163, 2.1548365433177436, 2.1796177150018565, 2.2069618437317548,
+        2.2371166293280137, 2.2703739394791057, 2.307079390185642, 2.3476447041049836, 2.392563834715171,
+        2.4424342754694078, 2.4979856303409599, 2.5601185465019538, 2.6299587467258563, 2.7089335888228739,
+        2.7988831409698249, 2.902225781057584, 3.0222130217333867, 3.1633365144429377, 3.3320076854961737,
+        3.537755759808394, 3.7954868636405336, 4.1301290588846329, 4.5873547253477498, 5.2627477185529591,
+        6.404352452596488, 9.0, 1.9999924675681732, 2.0000075301630092, 2.0013384140480296, 2.0039614164420109,
+        2.0078748832676546, 2.0130894472660983, 2.0196258482077377, 2.0275143654820075, 2.036794884209126,
+        2.0475173312349176, 2.0597424003384797, 2.0735425521872352, 2.0890033073685181, 2.1062248734486806,
+        2.1253241679126341, 2.1464373222283379, 2.1697227812751092, 2.1953651502402567, 2.223579992023287,
+        2.2546198481006659, 2.2887818533879452, 2.3264174540152943, 2.3679449363578302, 2.4138657680294207,
+        2.4647861881899575, 2.5214461499921487, 2.584758755214324, 2.6558649785593982, 2.7362112026461219,
+        2.8276617036141511, 2.9326663472766269, 3.0545186337868448, 3.197767834857049, 3.3689071881299936,
+        3.5775869855634824, 3.8389020450301544, 4.178094997681166, 4.6414129601137545, 5.3256394915750223,
+        6.4819244410425396, 9.1104335791442989, 1.9999929993191838, 2.000006998672002, 2.0012726110887095,
+        2.0037676591136408, 2.0074902884528243, 2.0124498805144518, 2.0186650057029224, 2.0261628665655845,
+        2.0349793191132906, 2.0451592249796209, 2.056757056433488, 2.0698377368124694, 2.0844777281017274,
+        2.1007663966189603, 2.1188077047495871, 2.1387222950475188, 2.1606500552657728, 2.1847532814445481,
+        2.211220594055309, 2.2402718134773166, 2.2721640716745705, 2.3071995356037947, 2.3457352578819775,
+        2.3881958720615391, 2.4350901457821025, 2.4870328470475358, 2.5447740525105768, 2.6092390765952656,
+        2.6815838780626023, 2.7632735575880351, 2.8561962354596561, 2.9628328180387519, 3.0865182218816128,
+        3.2318585806049353, 3.4054278921761964, 3.6169959870331011, 3.8818440210861463, 4.2255253038140478,
+        4.6948546202813577, 5.3878005379004173, 6.5585804138725159, 9.2195444572928873, 1.9999934821680264,
+        2.0000065160482123, 2.001211525883686, 2.0035877328508067, 2.0071331302491304, 2.011856010289562,
+        2.0177730410095425, 2.0249087230546633, 2.0332953759626681, 2.0429734218288793, 2.0539918913625747,
+        2.0664091329688262, 2.0802937316285469, 2.0957256609055518, 2.1127977053926638, 2.1316172055158276,
+        2.1523081938848755, 2.1750140141691219, 2.1999005419585527, 2.2271601651369147, 2.2570167330198098,
+        2.2897317548390413, 2.3256122279257201, 2.3650206175700777, 2.4083877147404853, 2.4562293972899828,
+        2.5091687675428522, 2.5679658208549239, 2.6335578622701409, 2.7071155862737867, 2.7901225246270744,
+        2.8844902987786407, 2.9927304312150404, 3.1182187104196315, 3.2656174062272556, 3.441580268504851,
+        3.655995196790287, 3.9243274197378072, 4.2724371771290803, 4.7477001103648241, 5.4492556278748468,
+        6.634352025741676, 9.327379053088815, 1.9999939216100439, 2.0000060768016578, 2.0011547191843206,
+        2.0034203545838283, 2.006800862995278, 2.0113035859319913, 2.0169435181355593, 2.0237427800860975,
+        2.0317305769997278, 2.0409434263577948, 2.0514255821327203, 2.0632296351691439, 2.0764172927799523,
+        2.09106035502508, 2.1072419167992242, 2.1250578366078603, 2.1446185264645723, 2.1660511341431935,
+        2.1895022106723747, 2.2151409845374175, 2.2431634024129998, 2.27379714848216, 2.3073079264919722,
+        2.344007389588905, 2.3842632462284255, 2.4285122770274947, 2.4772773003671221, 2.5311895770458819,
+        2.5910188339647715, 2.6577141617904914, 2.7324607592930439, 2.8167603196757456, 2.9125476410457092,
+        3.0223644582272616, 3.1496269113792971, 3.2990527108983704, 3.4773743895793403, 3.6945965018483146,
+        3.9663661664494453, 4.3188469395910651, 4.7999687477740277, 5.5100281706318869, 6.7092691519142185,
+        9.4339811320566038, 1.9999943224158121, 2.0000056761662038, 2.0011018015972039, 2.0032643864374409,
+        2.0064912293643938, 2.0107888399076975, 2.0161707367537727, 2.022656937337157, 2.0302738957257367,
+        2.0390546840144396, 2.0490393486043641, 2.0602754202035806, 2.0728185778303953, 2.0867334797652438,
+        2.102094784233486, 2.1189883921681915, 2.1375129551532485, 2.1577817047336165, 2.1799246759110147,
+        2.2040914193247207, 2.2304543253808715, 2.2592127222986378, 2.2905979628081466, 2.3248797871116599,
+        2.3623743517365405, 2.4034544587788773, 2.4485627289613264, 2.4982287683260992, 2.5530918360520975,
+        2.613931218455403, 2.6817076014976137, 2.7576204715216006, 2.8431894288236058, 2.9403721401899661,
+        3.0517401676618335, 3.1807495049736083, 3.3321726351400034, 3.5128199415871028, 3.7328112709763532,
+        4.0079735270120623, 4.3647700946036606, 4.8516788409868398, 5.5701403159615088, 6.7833600250068251,
+        9.5393920141694565, 1.9999946887402621, 2.0000053099906146, 2.0010524269550935, 2.0031188164712802,
+        2.0062022220562122, 2.0103084233410296, 2.0154496333734203, 2.0216440060852816, 2.0289155579955825,
+        2.037294311597278, 2.0468165950024916, 2.0575254764631042, 2.0694713319768206, 2.0827125554230108,
+        2.0973164290648091, 2.1133601801284119, 2.1309322577873543, 2.1501338751732259, 2.1710808739322906,
+        2.1939059854609815, 2.2187615847474209, 2.24582306174609, 2.2752929742927337, 2.3074061998833042,
+        2.3424363773047545, 2.3807040322446048, 2.4225869274845985, 2.468533389538219, 2.5190796734135432,
+        2.5748728899706791, 2.6367017257183182, 2.705538284322437, 2.7825961359237778, 2.8694125471584222,
+        2.967967760375492, 3.0808627966913076, 3.2115930256655327, 3.3649850606578926, 3.5479262376221822,
+        3.7706503811030581, 4.0491621475013699, 4.4102213815294512, 4.9028477607748814, 5.6296130466449994,
+        6.8566513585322453, 9.643650760992955, 1.9999950242134214, 2.0000049746479504, 2.0010062866926283,
+        2.0029827423341056, 2.0059320512978212, 2.0098593513733454, 2.0147756976912639, 2.0206975884453178,
+        2.0276468743559036, 2.0356508706843117, 2.0447426095058748, 2.0549612109321836, 2.0663523699605775,
+        2.0789689656749461, 2.0928718067575445, 2.108130533823093, 2.1248247060621699, 2.1430451078543568,
+        2.1628953211068332, 2.1844936219240774, 2.2079752768895366, 2.2334953361937457, 2.2612320501070866,
+        2.2913910747658879, 2.3242106871147627, 2.3599683033001491, 2.3989886990656298, 2.4416544787733916,
+        2.4884195532386625, 2.5398266997754205, 2.5965307457054209, 2.6593296296794274, 2.7292067066198017,
+        2.807389438134679, 2.8954325286125711, 2.9953385162969344, 3.1097375287600433, 3.2421638524094877,
+        3.3974976125358108, 3.5827022314826206, 3.8081242426725656, 4.0899440915510255, 4.4552148258388874,
+        4.9534920052043549, 5.6884662623166947, 6.9291684587651397, 9.7467943448089639, 1.9999953320161839,
+        2.0000046669599073, 2.000963105056631, 2.0028553573389159, 2.0056791171676669, 2.0094389566706374,
+        2.0141449015095363, 2.019811974924504, 2.026460098115553, 2.0341141763188918, 2.0428043113250023,
+        2.0525661194111044, 2.0634411502458261, 2.0754774113723699, 2.0887300091761498, 2.1032619227504659,
+        2.1191449327762057, 2.1364607340807634, 2.1553022685127947, 2.1757753247969813, 2.1980004649091553,
+        2.222115353292688, 2.2482775873761546, 2.2766681573950023, 2.3074957033890074, 2.3410017916815114,
+        2.3774675083841938, 2.4172217728357751, 2.4606519235385067, 2.5082173450046825, 2.5604672204923644,
+        2.6180639684766436, 2.6818146414398536, 2.7527136889285641, 2.8320022818791833, 2.921252344797012,
+        3.0224884443845583, 3.1383694763065112, 3.2724682022249697, 3.4297176631904652, 3.617156531755325,
+        3.8452428238739374, 4.1303308750981214, 4.4997637852789439, 5.0036272590495654, 5.746718855777454,
+        7.0009353262495281, 9.8488578017961047, 1.9999956149438329, 2.0000043841333829, 2.0009226350125435,
+        2.0027359385579122, 2.0054419859416767, 2.0090448497190112, 2.0135536381043695, 2.018982057177456,
+        2.025348304712142, 2.0326751347827307, 2.0409900368176854, 2.0503255085037909, 2.0607194172932019,
+        2.0722154534688651, 2.0848636832583341, 2.0987212151620759, 2.1138529973681877, 2.1303327694195726,
+        2.1482441976474686, 2.1676822317765742, 2.1887547301361704, 2.2115844138548629, 2.2363112273270637,
+        2.2630952045786659, 2.2921199709893743, 2.3235970501003635, 2.3577712002298321, 2.3949270816383226,
+        2.4353976614507667, 2.4795749147651155, 2.5279235984895649, 2.5809991943391183, 2.6394715952513805,
+        2.704156837779739, 2.7760603181667872, 2.8564367436694018, 2.9468750511881728, 3.0494215796321486,
+        3.166763667541824, 3.3025121263935382, 3.4616523376220281, 3.6512974159447774, 3.8820156737062522,
+        4.1703334987599418, 4.5438809924168719, 5.0532684481832241, 5.8043887825687151, 7.0719747480948466,
+        9.9498743710661995, 1.9999958754594996, 2.000004123707089, 2.0008846547338306, 2.0026238366094602,
+        2.0052193698070476, 2.008674884797656, 2.0129986703217948, 2.0182032534297364, 2.0243052887842464,
+        2.0313256054816803, 2.0392893578575292, 2.0482262602116277, 2.0581708996417072, 2.0691631286536047,
+        2.0812485441193734, 2.0944790631623483, 2.108913610467443, 2.1246189358312514, 2.141670585862777,
+        2.160154060006001, 2.1801661889314763, 2.2018167834130978, 2.2252306148396226, 2.250549805565044,
+        2.2779367298497724, 2.3075775562660807, 2.3396866031155886, 2.3745117339581162, 2.4123410971468341,
+        2.4535116208209922, 2.4984198275834116, 2.547535753443901, 2.6014210787872215, 2.6607530618653149,
+        2.7263566010960637, 2.79924789925559, 2.8806950351417973, 2.9723037593501752, 3.0761419370123544,
+        3.1949250364985512, 3.3323015087156291, 3.4933085195972771, 3.6851328444660386, 3.9184519438712138,
+        4.2099624779988071, 4.5875785938815252, 5.1024297894433173, 5.8614931245162313, 7.1423083820606891,
+        10.04987562112089, 1.9999961157393156, 2.0000038835064568, 2.0008489645814573, 2.0025184668678495,
+        2.0050101094066699, 2.0083271307193695, 2.0124770859920829, 2.0174714445045575, 2.0233254760285176,
+        2.0300582829118183, 2.0376929269772859, 2.0462566317712959, 2.0557810539724397, 2.0663026246258127,
+        2.0778629652451535, 2.0905093872910816, 2.1042954868269786, 2.1192818497025044, 2.1355368867384329,
+        2.1531378233913924, 2.1721718746105353, 2.1927376434945316, 2.2149467924878183, 2.2389260489920512,
+        2.2648196244753908, 2.2927921489231129, 2.3230322528877662, 2.3557569704738836, 2.391217192698386,
+        2.4297044782338288, 2.4715596371797834, 2.5171836578220967, 2.5670517689139686, 2.6217317564466609,
+        2.6819081414819075, 2.7484145688102114, 2.822277914547228, 2.9047794717065472, 2.9975416141257012,
+        3.1026534966428627, 3.2228584157176075, 3.3618420653781221, 3.5246928584822072, 3.7186704743715787,
+        3.9545604095062634, 4.2492278712268763, 4.6308681865945121, 5.1511248364200212, 5.918048147866658,
+        7.2119568333046531, 10.148891565092219, 1.9999963377106846, 2.0000036616054126, 2.0008153844968567,
+        2.0024193018738756, 2.0048131587716322, 2.0079998455896822, 2.0119862595045613, 2.0167829187594776,
+        2.0224038474541068, 2.028866595420291, 2.0361923448404923, 2.0444060847859205, 2.0535368472486206,
+        2.0636180045536005, 2.0746876319713335, 2.0867889423740036, 2.0999708025701579, 2.1142883438933065,
+        2.1298036829822396, 2.1465867727217045, 2.164716408282298, 2.1842814194384272, 2.2053820882804069,
+        2.2281318416415573, 2.2526592808096191, 2.2791106284552354, 2.3076526956863144, 2.3384765028452956,
+        2.3718017291439269, 2.4078822228871778, 2.4470128823680901, 2.4895383272256985, 2.5358639358968359,
+        2.5864700495658414, 2.6419304726749246, 2.7029368924778818, 2.770331590648894, 2.845151989736011,
+        2.9286924464291532, 3.0225917749283395, 3.1289601920249061, 3.2505685310630916, 3.3911393460741116,
+        3.5558117765035898, 3.7519176727190565, 3.9903494887859285, 4.2881393059960935, 4.6737608512558093,
+        5.1993665215567976, 5.9740693565659358, 7.280939724559896, 10.246950765959598, 1.9999965430848301,
+        2.0000034562938679, 2.0007837517450013, 2.0023258647624661, 2.0046275722756032, 2.007691454965544,
+        2.0115238185874735, 2.0161343245389537, 2.0215358740735963, 2.0277446180709303, 2.0347800464136159,
+        2.0426651388137924, 2.0514265705357799, 2.0610949722977008, 2.071705247193659, 2.0832969501359322,
+        2.095914737702218, 2.1096088987295986, 2.1244359787585694, 2.1404595147000813, 2.1577509000897246,
+        2.1763904062601263, 2.196468391028406, 2.2180867344855767, 2.2413605517613546, 2.2664202460023006,
+        2.2934139823238484, 2.3225106866888572, 2.353903704666289, 2.3878152968997467, 2.4245022053194134,
+        2.4642626032188653, 2.5074448530911536, 2.5544586534673358, 2.605789382952097, 2.662016782503922,
+        2.723839614196697, 2.7921086924949382, 2.8678718651723853, 2.9524364082619172, 3.0474574004287241,
+        3.1550659008019404, 3.2780599982523189, 3.4201987360881991, 3.5866714762681467, 3.7848815295159372,
+        4.02582726142915, 4.3267060034107671, 4.7162671833233703, 5.2471671949164979, 6.02957154116413,
+        7.3492757604162281, 10.3440804327886, 1.9999967333845647, 2.000003266049982, 2.0007539189549073,
+        2.0022377235546048, 2.0044524933068808, 2.0074005328998651, 2.011087615501237, 2.01552262898993,
+        2.0207174604129975, 2.0266869974021092, 2.0334492028646527, 2.0410252454650178, 2.0494396792994633,
+        2.05872067158264, 2.0689002804021473, 2.0800147869517885, 2.0921050887094364, 2.1052171620933397,
+        2.1194026054154538, 2.1347192756207732, 2.1512320355284925, 2.1690136322718016, 2.1881457326148578,
+        2.2087201471283282, 2.2308402832549448, 2.254622877669326, 2.2802000718193732, 2.3077219122195316,
+        2.3373593804742123, 2.3693080893020988, 2.4037928231040968, 2.4410731593639859, 2.4814504870100264,
+        2.5252768496917765, 2.5729662007713944, 2.6250088859381185, 2.6819905053715398, 2.7446168092931882,
+        2.8137470457388743, 2.8904393716943021, 2.9760138439015316, 3.0721416360548399, 3.1809744375877089,
+        3.3053373207662527, 3.4490254591178631, 3.617277948406738, 3.817568870198802, 4.0610014861568117,
+        4.3649368008920544, 4.7583973217035087, 5.294538659925252, 6.0845688237755882, 7.4169827862984908,
+        10.44030650891055, 1.9999969099680568, 2.0000030895164212, 2.0007257524136444, 2.0021544861861319,
+        2.00428714440444, 2.0071257854439746, 2.010675701986583, 2.0149450822833047, 2.019944895500984,
+        2.0256888862489904, 2.0321936367388272, 2.0394786797645956, 2.0475666559271333, 2.0564835135655448,
+        2.0662587528217266, 2.0769257173635485, 2.08852193907667, 2.1010895427887412, 2.1146757199931977,
+        2.1293332827354145, 2.1451213114499664, 2.1621059137495576, 2.1803611151539482, 2.1999699077543912,
+        2.2210254891558472, 2.2436327321536033, 2.2679099360625985, 2.2939909242207564, 2.3220275700312766,
+        2.3521928575321218, 2.3846846140631569, 2.4197300952664613, 2.4575916609397191, 2.4985738608465774,
+        2.5430323624575457, 2.5913853129226748, 2.64412795882482, 2.7018516864140832, 2.7652691516186423,
+        2.8352479412508775, 2.9128564102461339, 2.9994272626769353, 3.0966476038301485, 3.2066895484946012,
+        3.332404888868185, 3.4776245806471958, 3.6476369792415072, 3.8499862676219247, 4.0958796171475824,
+        4.4028401734152599, 4.8001609753482747, 5.3414922063734325, 6.1390746994747017, 7.4840778426666631,
+        10.535653752852739, 1.9999970740492306, 2.0000029254799798, 2.0006991305770846, 2.0020757961667363,
+        2.0041308186456943, 2.0068660362501957, 2.0102863074177313, 2.0143991864434772, 2.0192148102230086,
+        2.0247458871137928, 2.0310077483853324, 2.038018446109394, 2.0457988909802634, 2.0543730282617853,
+        2.0637680527798802, 2.0740146657647277, 2.0851473779073401, 2.0972048644934457, 2.1102303800742538,
+        2.1242722419505215, 2.1393843938968175, 2.155627064160532, 2.1730675349829414, 2.1917810448942429,
+        2.2118518500735733, 2.2333744774598212, 2.2564552104803105, 2.2812138588164425, 2.3077858773489047,
+        2.3363249174291685, 2.3670059174615495, 2.4000288716502184, 2.4356234588206437, 2.474054772042966,
+        2.5156304711071493, 2.5607097938038926, 2.6097150237622975, 2.6631462459616556, 2.7216005632929136,
+        2.7857974587780545, 2.8566127672450883, 2.9351249346817747, 3.0226791839751929, 3.1209783941568337,
+        3.2322149070592892, 3.3592669795090389, 3.5060010117259297, 3.6777541583980422, 3.8821400535423491,
+        4.1304688195421583, 4.4404242533325651, 4.8415674479374807, 5.3880386409234808, 6.1931020744651973,
+        7.5505772149019876, 10.630145812734649, 1.9999972267153286, 2.0000027728540363, 2.0006739427665104,
+        2.0020013287795175, 2.0039828721076986, 2.0066202139743213, 2.009917819699827, 2.0138826681185298,
+        2.0185241401099127, 2.0238540028210531, 2.029886451952177, 2.0366381966059618, 2.0441285802932339,
+        2.0523797360943163, 2.0614167764874641, 2.0712680200588984, 2.0819652586833755, 2.0935440700531453,
+        2.1060441817814066, 2.1195098948192889, 2.1339905756972016, 2.1495412292313551, 2.1662231659406242,
+        2.184104781642127, 2.2032624707214476, 2.2237816996484043, 2.2457582737546419, 2.2692998385390235,
+        2.2945276674098852, 2.3215788016173418, 2.350608626292856, 2.3817939905638664, 2.41533701186724,
+        2.4514697480273616, 2.4904599800118896, 2.5326184303325685, 2.5783078569880248, 2.6279546260988269,
+        2.6820636018514104, 2.7412375377042979, 2.8062026686392846, 2.8778429904321581, 2.9572469372512934,
+        3.0457721267974047, 3.1451370592194657, 3.2575541113162634, 3.3859277569385333, 3.5341595130360985,
+        3.7076348863036592, 3.9140363295982267, 4.1647759840465724, 4.477696848885766, 4.8826256608063039,
+        5.4341883153483375, 6.2466633013238371, 7.6164964792910765, 10.723805294763608, 1.9999973689420713,
+        2.0000026306634073, 2.0006500880250619, 2.0019307877455772, 2.0038427172515829, 2.0063873412252323,
+        2.0095687685231706, 2.0133934547306484, 2.0178700927813574, 2.0230095934018441, 2.0288251195456484,
+        2.0353321599489408, 2.042548635529142, 2.0504950364835186, 2.059194590272365, 2.0686734622182622,
+        2.0789609916714966, 2.0900899678082072, 2.1020969502737423, 2.1150226411512872, 2.1289123162042429,
+        2.143816325090768, 2.159790672372536, 2.1768976937497983, 2.1952068451942673, 2.2147956267056106,
+        2.2357506675306617, 2.2581690061819268, 2.2821596069109507, 2.3078451650265333, 2.3353642674122863,
+        2.3648739929211687, 2.3965530615868858, 2.4306056740317301, 2.4672662262763597, 2.5068051450290129,
+        2.549536171311793, 2.5958255362277198, 2.646103637369248, 2.7008800619168124, 2.7607631508643827,
+        2.8264858191943635, 2.8989401399568601, 2.979224436354372, 3.0687086011054541, 3.1691266077398839,
+        3.2827106818135882, 3.4123912738746084, 3.5621046991523544, 3.7372843815279717, 3.9456809777842564,
+        4.1988077406848261, 4.5146654615058959, 4.9233441742643243, 5.4799511527012037, 6.2997702115869505,
+        7.6818505454743027, 10.816653826391968, 1.9999975016067791, 2.0000024980312391, 2.0006274741120261,
+        2.0018639022897634, 2.0037098171032487, 2.0061665248481662, 2.0092378106473261, 2.0129296535346628,
+        2.0172501193883971, 2.0222093383207391, 2.0278195323794686, 2.0340950793037763, 2.0410526062034415,
+        2.0487111109200189, 2.0570921109929086, 2.0662198215654272, 2.0761213646532426, 2.0868270131710661,
+        2.0983704740936454, 2.1107892161954669, 2.1241248490375273, 2.1384235613153107, 2.1537366284235526,
+        2.1701210012191456, 2.1876399905847188, 2.2063640656546578, 2.226371787648699, 2.2477509064113906,
+        2.2705996533061926, 2.2950282725016466, 2.3211608435127974, 2.3491374619454542, 2.3791168638722446,
+        2.4112796037418494, 2.4458319284440652, 2.4830105343600379, 2.523088454619452, 2.5663824072862349,
+        2.6132620521482517, 2.6641617699147103, 2.7195958172364509, 2.7801780623779362, 2.8466480312718136,
+        2.9199057937003143, 3.0010594662124818, 3.0914911006767816, 3.1929500008595372, 3.3076880604008976,
+        3.4386614731104879, 3.5898410429210525, 3.7667076879337902, 3.9770796704332796, 4.2325704717499729,
+        4.5513373019893216, 4.9637312074382873, 5.5253366715969852, 6.3524341459197124, 7.7466536956848644,
+        10.908712114635714, 1.9999976254997581, 2.0000023741676317, 2.00060601661632, 2.0018004245533944,
+        2.0035836801226674, 2.0059569473607395, 2.0089237169383953, 2.0124895331856373, 2.0166618895019163,
+        2.0214502032992142, 2.0268658379264788, 2.032922157906276, 2.0396346115133252, 2.0470208383901942,
+        2.055100801914116, 2.0638969473243009, 2.073434387594954, 2.0837411198935147, 2.0948482763072017,
+        2.1067904134266772, 2.119605846401492, 2.1333370342829468, 2.1480310249057993, 2.163739969301189,
+        2.180521717766231, 2.1984405123514608, 2.2175677938086181, 2.2379831451551935, 2.2597753992060843,
+        2.2830439440266714, 2.3079002687200788, 2.3344698028782167, 2.3628941172299277, 2.3933335716581316,
+        2.4259705214389684, 2.4610132255565827, 2.4987006455316124, 2.5393083841100288, 2.5831560973723892,
+        2.63061683177684, 2.6821289051965845, 2.7382111926700664, 2.7994830319952659, 2.8666904936798372,
+        2.9407415665943752, 3.0227540681682864, 3.1141220972307431, 3.2166101489628635, 3.3324896096489204,
+        3.4647421894607557, 3.617372879898631, 3.7959096816157739, 4.0082378797168242, 4.2660703240011831,
+        4.5877193056330476, 5.0037946567586627, 5.5703540087677076, 6.4046659820830023, 7.8109196210699247,
+        11.0, 1.9999977413342052, 2.000002258359742, 2.0005856381733033, 2.0017401273078754, 2.0034638556702264,
+        2.0057578593879819, 2.0086253609245215, 2.0120715074771303, 2.0161032689785331, 2.0207294111048708,
+        2.0259605122405344, 2.0318090112961855, 2.0382892805787366, 2.0454177213728863, 2.0532128817822143,
+        2.0616955975712424, 2.0708891576306062, 2.0808194964417788, 2.0915154166481949, 2.1030088456118669,
+        2.1153351306990441, 2.1285333790413371, 2.1426468487086983, 2.1577233996640038, 2.1738160146143283,
+        2.1909834020176203, 2.2092906961559335, 2.2288102724911796, 2.2496227006647931, 2.271817862737913,
+        2.2954962709263511, 2.3207706276127735, 2.3477676814260886, 2.3766304475003791, 2.4075208788204356,
+        2.4406231004491773, 2.47614735171011, 2.5143348263570728, 2.5554636621840543, 2.599856416449017,
+        2.6478894824300175, 2.7000050713865874, 2.7567266278858721, 2.8186789038405905, 2.8866144504270226,
+        2.9614491006518518, 3.0443102833674201, 3.1366040356283823, 3.2401099092860615, 3.3571186127838739,
+        3.4906371519658145, 3.6447044128022796, 3.8248950776116296, 4.0391608866800178, 4.2993132201523881,
+        4.6238181464055677, 5.0435421131990726, 5.6150119400381502, 6.4564761608905554, 7.8746614553544936,
+        11.090536506409417, 1.9999978497548452, 2.000002149963155, 2.0005662677713963, 2.0016828019298932,
+        2.0033499299920343, 2.0055685729653427, 2.0083417086695547, 2.0116741209623199, 2.0155723004061949,
+        2.020044415771902, 2.0251003267444989, 2.0307516252708661, 2.0370116999214197, 2.0438958209119066,
+        2.0514212452023231, 2.0596073421938006, 2.0684757413433722, 2.0780505036864547, 2.0883583198930343,
+        2.0994287381456504, 2.1112944258595858, 2.123991470107376, 2.1375597226009654, 2.152043196270952,
+        2.1674905219179126, 2.183955475163623, 2.2014975860861994, 2.220182846593736, 2.2400845339202326,
+        2.2612841728050767, 2.2838726641941258, 2.3079516150118229, 2.3336349121514477, 2.3610505949284294,
+        2.3903430946818844, 2.4216759291593009, 2.4552349644131019, 2.4912323904907333, 2.5299116025307375,
+        2.5715532408056051, 2.6164827288753451, 2.6650797689430226, 2.7177904238539454, 2.775142660879026,
+        2.8377665927603643, 2.9064211897224894, 2.9820300564626983, 3.0657301466164486, 3.1589393299791223,
+        3.2634520841810479, 3.381578274039893, 3.5163499862888247, 3.6718397159359702, 3.8536684363764468,
+        4.0698537898280365, 4.3323048696959883, 4.6596402502236461, 5.0829808783677524, 5.659318899853683,
+        6.5078747103295756, 7.937891806081664, 11.180339887498948, 1.9999979513454795, 2.0000020483943405,
+        2.0005478401369326, 2.0016282566045592, 2.0032415226574031, 2.0053884555976586, 2.0080718097940219,
+        2.0112960362124976, 2.0150671857906421, 2.0193928797982197, 2.0242823188867631, 2.0297463187851556,
+        2.0357973671906137, 2.042449699504478, 2.0497193927274551, 2.0576244778535892, 2.0661850718307748,
+        2.0754235307539525, 2.08536462651437, 2.0960357496990647, 2.1074671421582951, 2.1196921633685883,
+        2.1327475955487485, 2.1466739934724968, 2.1615160861080697, 2.1773232386557639, 2.1941499853166701,
+        2.2120566452959822, 2.2311100372337924, 2.2513843106104858, 2.272961916883672, 2.2959347484320429,
+        2.320405480146568, 2.3464891571763154, 2.3743150835237692, 2.4040290807418467, 2.4357962050885179,
+        2.4698040367927584, 2.5062666889114126, 2.5454297289561265, 2.587576268901602, 2.6330345655059212,
+        2.6821875937760351, 2.7354852281464163, 2.7934599136337564, 2.8567470724941667, 2.9261120345033102,
+        3.0024861059449351, 3.0870156812429328, 3.1811303605141931, 3.286639419925481, 3.4058717193490309,
+        3.5418842172513187, 3.6987827395630964, 3.882234170015273, 4.1003215132823472, 4.36505077910288,
+        4.6951918073999031, 5.1221179795412804, 5.7032829994795903, 6.5588712680006797, 8.0006227836389423,
+        11.269427669584645
+    };
+    return table;
+}
+
+/* END GENERATED */
+
+/* BEGIN GENERATED: prt_codegen --lang c --emit ch_eval,ch_at --bands 1-10 */
+/* CH basis, 1 band: 0 multiplications, 0 additions (0 can fuse), 1 stores */
+PRT__STATIC void prt__ch_eval_1(prt_real x, prt_real y, prt_real z, prt_real *PRT__RESTRICT out) {
+    (void)x;
+    (void)y;
+    (void)z;
+    out[0] = PRT__R(0.282094791773878143474);
+}
+
+/* CH basis, 1 band: 0 multiplications, 0 additions (0 can fuse), 1 stores */
+PRT__INLINE void prt__ch_eval_1_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out,
+    size_t stride, int first, int last) {
+    (void)x;
+    (void)y;
+    (void)z;
+    (void)stride;
+    if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+}
+
+PRT__STATIC void prt__ch_eval_1_v(int vectors, const prt_real *x, const prt_real *y, const prt_real *z,
+    prt_real *PRT__RESTRICT out, size_t stride) {
+    int k;
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_1_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 0, 1);
+}
+
+/* CH basis, 2 bands: 3 multiplications, 0 additions (0 can fuse), 4 stores */
+PRT__STATIC void prt__ch_eval_2(prt_real x, prt_real y, prt_real z, prt_real *PRT__RESTRICT out) {
+    out[0] = PRT__R(0.282094791773878143474);
+    out[2] = PRT__R(0.488602511902919921586) * z;
+    out[1] = PRT__R(0.488602511902919921586) * y;
+    out[3] = PRT__R(0.488602511902919921586) * x;
+}
+
+/* CH basis, 2 bands: 3 multiplications, 0 additions (0 can fuse), 4 stores */
+PRT__INLINE void prt__ch_eval_2_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out,
+    size_t stride, int first, int last) {
+    if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+    if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
+    if (first <= 2 && 2 < last) prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
+    if (first <= 3 && 3 < last) prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
+}
+
+PRT__STATIC void prt__ch_eval_2_v(int vectors, const prt_real *x, const prt_real *y, const prt_real *z,
+    prt_real *PRT__RESTRICT out, size_t stride) {
+    int k;
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_2_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 0, 4);
+}
+
+/* CH basis, 3 bands: 12 multiplications, 4 additions (1 can fuse), 9 stores */
+PRT__STATIC void prt__ch_eval_3(prt_real x, prt_real y, prt_real z, prt_real *PRT__RESTRICT out) {
+    out[0] = PRT__R(0.282094791773878143474);
+    out[2] = PRT__R(0.488602511902919921586) * z;
+    out[6] = PRT__R(0.825888983611586872968) * (z * z) - PRT__R(0.412944491805793436484);
+    out[1] = PRT__R(0.488602511902919921586) * y;
+    out[3] = PRT__R(0.488602511902919921586) * x;
+    const prt_real t1 = PRT__R(1.09254843059207907054) * z;
+    out[5] = y * t1;
+    out[7] = x * t1;
+    const prt_real t2 = x * y;
+    out[4] = PRT__R(0.546274215296039535272) * (t2 + t2);
+    out[8] = PRT__R(0.546274215296039535272) * ((x + y) * (x - y));
+}
+
+/* CH basis, 3 bands: 12 multiplications, 4 additions (1 can fuse), 9 stores */
+PRT__INLINE void prt__ch_eval_3_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out,
+    size_t stride, int first, int last) {
+    if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+    if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
+    if (first <= 2 && 2 < last)
+        prt__vec_store(out + 6 * stride, PRT__R(0.825888983611586872968) * (z * z) - PRT__R(0.412944491805793436484));
+    if (first <= 3 && 3 < last) prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
+    if (first <= 4 && 4 < last) prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
+    const prt__vec t1 = PRT__R(1.09254843059207907054) * z;
+    if (first <= 5 && 5 < last) prt__vec_store(out + 5 * stride, y * t1);
+    if (first <= 6 && 6 < last) prt__vec_store(out + 7 * stride, x * t1);
+    const prt__vec t2 = x * y;
+    if (first <= 7 && 7 < last) prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * (t2 + t2));
+    if (first <= 8 && 8 < last)
+        prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * ((x + y) * (x - y)));
+}
+
+PRT__STATIC void prt__ch_eval_3_v(int vectors, const prt_real *x, const prt_real *y, const prt_real *z,
+    prt_real *PRT__RESTRICT out, size_t stride) {
+    int k;
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_3_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 0, 5);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_3_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 5, 9);
+}
+
+/* CH basis, 4 bands: 25 multiplications, 11 additions (3 can fuse), 16 stores */
+PRT__STATIC void prt__ch_eval_4(prt_real x, prt_real y, prt_real z, prt_real *PRT__RESTRICT out) {
+    out[0] = PRT__R(0.282094791773878143474);
+    out[2] = PRT__R(0.488602511902919921586) * z;
+    const prt_real t1 = z * z;
+    out[6] = PRT__R(0.825888983611586872968) * t1 - PRT__R(0.412944491805793436484);
+    const prt_real t2 = PRT__R(1.61906625351721666923) * t1 - PRT__R(1.21429969013791250192);
+    out[12] = z * t2;
+    out[1] = PRT__R(0.488602511902919921586) * y;
+    out[3] = PRT__R(0.488602511902919921586) * x;
+    const prt_real t3 = PRT__R(1.09254843059207907054) * z;
+    out[5] = y * t3;
+    out[7] = x * t3;
+    const prt_real t4 = PRT__R(2.2251937260415151452) * t1 - PRT__R(0.556298431510378786299);
+    out[11] = y * t4;
+    out[13] = x * t4;
+    const prt_real t5 = x * y;
+    const prt_real t6 = t5 + t5;
+    out[4] = PRT__R(0.546274215296039535272) * t6;
+    const prt_real t7 = (x + y) * (x - y);
+    out[8] = PRT__R(0.546274215296039535272) * t7;
+    const prt_real t8 = PRT__R(1.44530572132027702769) * z;
+    out[10] = t6 * t8;
+    out[14] = t7 * t8;
+    const prt_real t9 = y * y;
+    const prt_real t10 = t7 + t9;
+    out[9] = PRT__R(0.590043589926643510346) * (y * (t7 + (t10 + t10)));
+    out[15] = PRT__R(0.590043589926643510346) * (x * (t7 - (t9 + t9)));
+}
+
+/* CH basis, 4 bands: 25 multiplications, 11 additions (3 can fuse), 16 stores */
+PRT__INLINE void prt__ch_eval_4_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out,
+    size_t stride, int first, int last) {
+    if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+    if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
+    const prt__vec t1 = z * z;
+    if (first <= 2 && 2 < last)
+        prt__vec_store(out + 6 * stride, PRT__R(0.825888983611586872968) * t1 - PRT__R(0.412944491805793436484));
+    const prt__vec t2 = PRT__R(1.61906625351721666923) * t1 - PRT__R(1.21429969013791250192);
+    if (first <= 3 && 3 < last) prt__vec_store(out + 12 * stride, z * t2);
+    if (first <= 4 && 4 < last) prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
+    if (first <= 5 && 5 < last) prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
+    const prt__vec t3 = PRT__R(1.09254843059207907054) * z;
+    if (first <= 6 && 6 < last) prt__vec_store(out + 5 * stride, y * t3);
+    if (first <= 7 && 7 < last) prt__vec_store(out + 7 * stride, x * t3);
+    const prt__vec t4 = PRT__R(2.2251937260415151452) * t1 - PRT__R(0.556298431510378786299);
+    if (first <= 8 && 8 < last) prt__vec_store(out + 11 * stride, y * t4);
+    if (first <= 9 && 9 < last) prt__vec_store(out + 13 * stride, x * t4);
+    const prt__vec t5 = x * y;
+    const prt__vec t6 = t5 + t5;
+    if (first <= 10 && 10 < last) prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t6);
+    const prt__vec t7 = (x + y) * (x - y);
+    if (first <= 11 && 11 < last) prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t7);
+    const prt__vec t8 = PRT__R(1.44530572132027702769) * z;
+    if (first <= 12 && 12 < last) prt__vec_store(out + 10 * stride, t6 * t8);
+    if (first <= 13 && 13 < last) prt__vec_store(out + 14 * stride, t7 * t8);
+    const prt__vec t9 = y * y;
+    const prt__vec t10 = t7 + t9;
+    if (first <= 14 && 14 < last)
+        prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * (y * (t7 + (t10 + t10))));
+    if (first <= 15 && 15 < last)
+        prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * (x * (t7 - (t9 + t9))));
+}
+
+PRT__STATIC void prt__ch_eval_4_v(int vectors, const prt_real *x, const prt_real *y, const prt_real *z,
+    prt_real *PRT__RESTRICT out, size_t stride) {
+    int k;
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_4_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 0, 8);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_4_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 8, 16);
+}
+
+/* CH basis, 5 bands: 41 multiplications, 18 additions (7 can fuse), 25 stores */
+PRT__STATIC void prt__ch_eval_5(prt_real x, prt_real y, prt_real z, prt_real *PRT__RESTRICT out) {
+    out[0] = PRT__R(0.282094791773878143474);
+    out[2] = PRT__R(0.488602511902919921586) * z;
+    const prt_real t1 = z * z;
+    const prt_real t2 = PRT__R(0.825888983611586872968) * t1 - PRT__R(0.412944491805793436484);
+    out[6] = t2;
+    const prt_real t3 = PRT__R(1.61906625351721666923) * t1 - PRT__R(1.21429969013791250192);
+    out[12] = z * t3;
+    const prt_real t4 = PRT__R(4.71662269588694702818) * t2 + PRT__R(9.62964972193617926528e-35);
+    out[20] = t2 * t4 - PRT__R(0.402146687544551258061);
+    out[1] = PRT__R(0.488602511902919921586) * y;
+    out[3] = PRT__R(0.488602511902919921586) * x;
+    const prt_real t5 = PRT__R(1.09254843059207907054) * z;
+    out[5] = y * t5;
+    out[7] = x * t5;
+    const prt_real t6 = PRT__R(2.2251937260415151452) * t1 - PRT__R(0.556298431510378786299);
+    out[11] = y * t6;
+    out[13] = x * t6;
+    const prt_real t7 = PRT__R(4.47811599108138469697) * t1 - PRT__R(2.23905799554069234849);
+    const prt_real t8 = z * t7;
+    out[19] = y * t8;
+    out[21] = x * t8;
+    const prt_real t9 = x * y;
+    const prt_real t10 = t9 + t9;
+    out[4] = PRT__R(0.546274215296039535272) * t10;
+    const prt_real t11 = (x + y) * (x - y);
+    out[8] = PRT__R(0.546274215296039535272) * t11;
+    const prt_real t12 = PRT__R(1.44530572132027702769) * z;
+    out[10] = t10 * t12;
+    out[14] = t11 * t12;
+    const prt_real t13 = PRT__R(3.27764529177623721163) * t1 - PRT__R(0.546274215296039535272);
+    out[18] = t10 * t13;
+    out[22] = t11 * t13;
+    const prt_real t14 = y * y;
+    const prt_real t15 = t11 + t14;
+    const prt_real t16 = y * (t11 + (t15 + t15));
+    out[9] = PRT__R(0.590043589926643510346) * t16;
+    const prt_real t17 = x * (t11 - (t14 + t14));
+    out[15] = PRT__R(0.590043589926643510346) * t17;
+    const prt_real t18 = PRT__R(1.77013076977993053104) * z;
+    out[17] = t16 * t18;
+    out[23] = t17 * t18;
+    const prt_real t19 = t11 * t10;
+    out[16] = PRT__R(0.625835735449176134587) * (t19 + t19);
+    out[24] = PRT__R(0.625835735449176134587) * ((t11 + t10) * (t11 - t10));
+}
+
+/* CH basis, 5 bands: 41 multiplications, 18 additions (7 can fuse), 25 stores */
+PRT__INLINE void prt__ch_eval_5_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out,
+    size_t stride, int first, int last) {
+    if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+    if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
+    const prt__vec t1 = z * z;
+    const prt__vec t2 = PRT__R(0.825888983611586872968) * t1 - PRT__R(0.412944491805793436484);
+    if (first <= 2 && 2 < last) prt__vec_store(out + 6 * stride, t2);
+    const prt__vec t3 = PRT__R(1.61906625351721666923) * t1 - PRT__R(1.21429969013791250192);
+    if (first <= 3 && 3 < last) prt__vec_store(out + 12 * stride, z * t3);
+    const prt__vec t4 = PRT__R(4.71662269588694702818) * t2 + PRT__R(9.62964972193617926528e-35);
+    if (first <= 4 && 4 < last) prt__vec_store(out + 20 * stride, t2 * t4 - PRT__R(0.402146687544551258061));
+    if (first <= 5 && 5 < last) prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
+    if (first <= 6 && 6 < last) prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
+    const prt__vec t5 = PRT__R(1.09254843059207907054) * z;
+    if (first <= 7 && 7 < last) prt__vec_store(out + 5 * stride, y * t5);
+    if (first <= 8 && 8 < last) prt__vec_store(out + 7 * stride, x * t5);
+    const prt__vec t6 = PRT__R(2.2251937260415151452) * t1 - PRT__R(0.556298431510378786299);
+    if (first <= 9 && 9 < last) prt__vec_store(out + 11 * stride, y * t6);
+    if (first <= 10 && 10 < last) prt__vec_store(out + 13 * stride, x * t6);
+    const prt__vec t7 = PRT__R(4.47811599108138469697) * t1 - PRT__R(2.23905799554069234849);
+    const prt__vec t8 = z * t7;
+    if (first <= 11 && 11 < last) prt__vec_store(out + 19 * stride, y * t8);
+    if (first <= 12 && 12 < last) prt__vec_store(out + 21 * stride, x * t8);
+    const prt__vec t9 = x * y;
+    const prt__vec t10 = t9 + t9;
+    if (first <= 13 && 13 < last) prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t10);
+    const prt__vec t11 = (x + y) * (x - y);
+    if (first <= 14 && 14 < last) prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t11);
+    const prt__vec t12 = PRT__R(1.44530572132027702769) * z;
+    if (first <= 15 && 15 < last) prt__vec_store(out + 10 * stride, t10 * t12);
+    if (first <= 16 && 16 < last) prt__vec_store(out + 14 * stride, t11 * t12);
+    const prt__vec t13 = PRT__R(3.27764529177623721163) * t1 - PRT__R(0.546274215296039535272);
+    if (first <= 17 && 17 < last) prt__vec_store(out + 18 * stride, t10 * t13);
+    if (first <= 18 && 18 < last) prt__vec_store(out + 22 * stride, t11 * t13);
+    const prt__vec t14 = y * y;
+    const prt__vec t15 = t11 + t14;
+    const prt__vec t16 = y * (t11 + (t15 + t15));
+    if (first <= 19 && 19 < last) prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * t16);
+    const prt__vec t17 = x * (t11 - (t14 + t14));
+    if (first <= 20 && 20 < last) prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * t17);
+    const prt__vec t18 = PRT__R(1.77013076977993053104) * z;
+    if (first <= 21 && 21 < last) prt__vec_store(out + 17 * stride, t16 * t18);
+    if (first <= 22 && 22 < last) prt__vec_store(out + 23 * stride, t17 * t18);
+    const prt__vec t19 = t11 * t10;
+    if (first <= 23 && 23 < last) prt__vec_store(out + 16 * stride, PRT__R(0.625835735449176134587) * (t19 + t19));
+    if (first <= 24 && 24 < last)
+        prt__vec_store(out + 24 * stride, PRT__R(0.625835735449176134587) * ((t11 + t10) * (t11 - t10)));
+}
+
+PRT__STATIC void prt__ch_eval_5_v(int vectors, const prt_real *x, const prt_real *y, const prt_real *z,
+    prt_real *PRT__RESTRICT out, size_t stride) {
+    int k;
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_5_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 0, 7);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_5_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 7, 14);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_5_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 14, 21);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_5_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 21, 25);
+}
+
+/* CH basis, 6 bands: 64 multiplications, 25 additions (14 can fuse), 36 stores */
+PRT__STATIC void prt__ch_eval_6(prt_real x, prt_real y, prt_real z, prt_real *PRT__RESTRICT out) {
+    out[0] = PRT__R(0.282094791773878143474);
+    out[2] = PRT__R(0.488602511902919921586) * z;
+    const prt_real t1 = z * z;
+    const prt_real t2 = PRT__R(0.825888983611586872968) * t1 - PRT__R(0.412944491805793436484);
+    out[6] = t2;
+    const prt_real t3 = PRT__R(1.61906625351721666923) * t1 - PRT__R(1.21429969013791250192);
+    const prt_real t4 = z * t3;
+    out[12] = t4;
+    const prt_real t5 = PRT__R(4.71662269588694702818) * t2 + PRT__R(9.62964972193617926528e-35);
+    const prt_real t6 = t2 * t5 - PRT__R(0.402146687544551258061);
+    out[20] = t6;
+    out[30] = PRT__R(1.9941605714785482504) * (z * t6) - PRT__R(0.990626623845594065416) * t4;
+    out[1] = PRT__R(0.488602511902919921586) * y;
+    out[3] = PRT__R(0.488602511902919921586) * x;
+    const prt_real t7 = PRT__R(1.09254843059207907054) * z;
+    out[5] = y * t7;
+    out[7] = x * t7;
+    const prt_real t8 = PRT__R(2.2251937260415151452) * t1 - PRT__R(0.556298431510378786299);
+    out[11] = y * t8;
+    out[13] = x * t8;
+    const prt_real t9 = PRT__R(4.47811599108138469697) * t1 - PRT__R(2.23905799554069234849);
+    const prt_real t10 = z * t9;
+    out[19] = y * t10;
+    out[21] = x * t10;
+    const prt_real t11 = PRT__R(1.81395700920230242682) * t8 - PRT__R(1.00910143904649857838);
+    const prt_real t12 = t8 * t11 - PRT__R(0.561361547776433262911);
+    out[29] = y * t12;
+    out[31] = x * t12;
+    const prt_real t13 = x * y;
+    const prt_real t14 = t13 + t13;
+    out[4] = PRT__R(0.546274215296039535272) * t14;
+    const prt_real t15 = (x + y) * (x - y);
+    out[8] = PRT__R(0.546274215296039535272) * t15;
+    const prt_real t16 = PRT__R(1.44530572132027702769) * z;
+    out[10] = t14 * t16;
+    out[14] = t15 * t16;
+    const prt_real t17 = PRT__R(3.27764529177623721163) * t1 - PRT__R(0.546274215296039535272);
+    out[18] = t14 * t17;
+    out[22] = t15 * t17;
+    const prt_real t18 = PRT__R(7.04063249082559160399) * t1 - PRT__R(2.6402371840595968515);
+    const prt_real t19 = z * t18;
+    out[28] = t14 * t19;
+    out[32] = t15 * t19;
+    const prt_real t20 = y * y;
+    const prt_real t21 = t15 + t20;
+    const prt_real t22 = y * (t15 + (t21 + t21));
+    out[9] = PRT__R(0.590043589926643510346) * t22;
+    const prt_real t23 = x * (t15 - (t20 + t20));
+    out[15] = PRT__R(0.590043589926643510346) * t23;
+    const prt_real t24 = PRT__R(1.77013076977993053104) * z;
+    out[17] = t22 * t24;
+    out[23] = t23 * t24;
+    const prt_real t25 = PRT__R(4.37968383934737954461) * t1 - PRT__R(0.547460479918422443076);
+    out[27] = t22 * t25;
+    out[33] = t23 * t25;
+    const prt_real t26 = t15 * t14;
+    const prt_real t27 = t26 + t26;
+    out[16] = PRT__R(0.625835735449176134587) * t27;
+    const prt_real t28 = (t15 + t14) * (t15 - t14);
+    out[24] = PRT__R(0.625835735449176134587) * t28;
+    const prt_real t29 = PRT__R(2.075662314881041279) * z;
+    out[26] = t27 * t29;
+    out[34] = t28 * t29;
+    out[25] = PRT__R(0.656382056840170102814) * (y * t28 + x * t27);
+    out[35] = PRT__R(0.656382056840170102814) * (x * t28 - y * t27);
+}
+
+/* CH basis, 6 bands: 64 multiplications, 25 additions (14 can fuse), 36 stores */
+PRT__INLINE void prt__ch_eval_6_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out,
+    size_t stride, int first, int last) {
+    if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+    if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
+    const prt__vec t1 = z * z;
+    const prt__vec t2 = PRT__R(0.825888983611586872968) * t1 - PRT__R(0.412944491805793436484);
+    if (first <= 2 && 2 < last) prt__vec_store(out + 6 * stride, t2);
+    const prt__vec t3 = PRT__R(1.61906625351721666923) * t1 - PRT__R(1.21429969013791250192);
+    const prt__vec t4 = z * t3;
+    if (first <= 3 && 3 < last) prt__vec_store(out + 12 * stride, t4);
+    const prt__vec t5 = PRT__R(4.71662269588694702818) * t2 + PRT__R(9.62964972193617926528e-35);
+    const prt__vec t6 = t2 * t5 - PRT__R(0.402146687544551258061);
+    if (first <= 4 && 4 < last) prt__vec_store(out + 20 * stride, t6);
+    if (first <= 5 && 5 < last)
+        prt__vec_store(out + 30 * stride, PRT__R(1.9941605714785482504) * (z * t6) - PRT__R(0.990626623845594065416) * t4);
+    if (first <= 6 && 6 < last) prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
+    if (first <= 7 && 7 < last) prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
+    const prt__vec t7 = PRT__R(1.09254843059207907054) * z;
+    if (first <= 8 && 8 < last) prt__vec_store(out + 5 * stride, y * t7);
+    if (first <= 9 && 9 < last) prt__vec_store(out + 7 * stride, x * t7);
+    const prt__vec t8 = PRT__R(2.2251937260415151452) * t1 - PRT__R(0.556298431510378786299);
+    if (first <= 10 && 10 < last) prt__vec_store(out + 11 * stride, y * t8);
+    if (first <= 11 && 11 < last) prt__vec_store(out + 13 * stride, x * t8);
+    const prt__vec t9 = PRT__R(4.47811599108138469697) * t1 - PRT__R(2.23905799554069234849);
+    const prt__vec t10 = z * t9;
+    if (first <= 12 && 12 < last) prt__vec_store(out + 19 * stride, y * t10);
+    if (first <= 13 && 13 < last) prt__vec_store(out + 21 * stride, x * t10);
+    const prt__vec t11 = PRT__R(1.81395700920230242682) * t8 - PRT__R(1.00910143904649857838);
+    const prt__vec t12 = t8 * t11 - PRT__R(0.561361547776433262911);
+    if (first <= 14 && 14 < last) prt__vec_store(out + 29 * stride, y * t12);
+    if (first <= 15 && 15 < last) prt__vec_store(out + 31 * stride, x * t12);
+    const prt__vec t13 = x * y;
+    const prt__vec t14 = t13 + t13;
+    if (first <= 16 && 16 < last) prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t14);
+    const prt__vec t15 = (x + y) * (x - y);
+    if (first <= 17 && 17 < last) prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t15);
+    const prt__vec t16 = PRT__R(1.44530572132027702769) * z;
+    if (first <= 18 && 18 < last) prt__vec_store(out + 10 * stride, t14 * t16);
+    if (first <= 19 && 19 < last) prt__vec_store(out + 14 * stride, t15 * t16);
+    const prt__vec t17 = PRT__R(3.27764529177623721163) * t1 - PRT__R(0.546274215296039535272);
+    if (first <= 20 && 20 < last) prt__vec_store(out + 18 * stride, t14 * t17);
+    if (first <= 21 && 21 < last) prt__vec_store(out + 22 * stride, t15 * t17);
+    const prt__vec t18 = PRT__R(7.04063249082559160399) * t1 - PRT__R(2.6402371840595968515);
+    const prt__vec t19 = z * t18;
+    if (first <= 22 && 22 < last) prt__vec_store(out + 28 * stride, t14 * t19);
+    if (first <= 23 && 23 < last) prt__vec_store(out + 32 * stride, t15 * t19);
+    const prt__vec t20 = y * y;
+    const prt__vec t21 = t15 + t20;
+    const prt__vec t22 = y * (t15 + (t21 + t21));
+    if (first <= 24 && 24 < last) prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * t22);
+    const prt__vec t23 = x * (t15 - (t20 + t20));
+    if (first <= 25 && 25 < last) prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * t23);
+    const prt__vec t24 = PRT__R(1.77013076977993053104) * z;
+    if (first <= 26 && 26 < last) prt__vec_store(out + 17 * stride, t22 * t24);
+    if (first <= 27 && 27 < last) prt__vec_store(out + 23 * stride, t23 * t24);
+    const prt__vec t25 = PRT__R(4.37968383934737954461) * t1 - PRT__R(0.547460479918422443076);
+    if (first <= 28 && 28 < last) prt__vec_store(out + 27 * stride, t22 * t25);
+    if (first <= 29 && 29 < last) prt__vec_store(out + 33 * stride, t23 * t25);
+    const prt__vec t26 = t15 * t14;
+    const prt__vec t27 = t26 + t26;
+    if (first <= 30 && 30 < last) prt__vec_store(out + 16 * stride, PRT__R(0.625835735449176134587) * t27);
+    const prt__vec t28 = (t15 + t14) * (t15 - t14);
+    if (first <= 31 && 31 < last) prt__vec_store(out + 24 * stride, PRT__R(0.625835735449176134587) * t28);
+    const prt__vec t29 = PRT__R(2.075662314881041279) * z;
+    if (first <= 32 && 32 < last) prt__vec_store(out + 26 * stride, t27 * t29);
+    if (first <= 33 && 33 < last) prt__vec_store(out + 34 * stride, t28 * t29);
+    if (first <= 34 && 34 < last)
+        prt__vec_store(out + 25 * stride, PRT__R(0.656382056840170102814) * (y * t28 + x * t27));
+    if (first <= 35 && 35 < last)
+        prt__vec_store(out + 35 * stride, PRT__R(0.656382056840170102814) * (x * t28 - y * t27));
+}
+
+PRT__STATIC void prt__ch_eval_6_v(int vectors, const prt_real *x, const prt_real *y, const prt_real *z,
+    prt_real *PRT__RESTRICT out, size_t stride) {
+    int k;
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_6_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 0, 8);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_6_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 8, 16);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_6_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 16, 24);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_6_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 24, 32);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_6_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 32, 36);
+}
+
+/* CH basis, 7 bands: 90 multiplications, 34 additions (20 can fuse), 49 stores */
+PRT__STATIC void prt__ch_eval_7(prt_real x, prt_real y, prt_real z, prt_real *PRT__RESTRICT out) {
+    out[0] = PRT__R(0.282094791773878143474);
+    out[2] = PRT__R(0.488602511902919921586) * z;
+    const prt_real t1 = z * z;
+    const prt_real t2 = PRT__R(0.825888983611586872968) * t1 - PRT__R(0.412944491805793436484);
+    out[6] = t2;
+    const prt_real t3 = PRT__R(1.61906625351721666923) * t1 - PRT__R(1.21429969013791250192);
+    const prt_real t4 = z * t3;
+    out[12] = t4;
+    const prt_real t5 = PRT__R(4.71662269588694702818) * t2 + PRT__R(9.62964972193617926528e-35);
+    const prt_real t6 = t2 * t5 - PRT__R(0.402146687544551258061);
+    out[20] = t6;
+    const prt_real t7 = PRT__R(1.9941605714785482504) * (z * t6) - PRT__R(0.990626623845594065416) * t4;
+    out[30] = t7;
+    out[42] = PRT__R(1.99686765665245415552) * (z * t7) - PRT__R(0.995518686839271862673) * t6;
+    out[1] = PRT__R(0.488602511902919921586) * y;
+    out[3] = PRT__R(0.488602511902919921586) * x;
+    const prt_real t8 = PRT__R(1.09254843059207907054) * z;
+    out[5] = y * t8;
+    out[7] = x * t8;
+    const prt_real t9 = PRT__R(2.2251937260415151452) * t1 - PRT__R(0.556298431510378786299);
+    out[11] = y * t9;
+    out[13] = x * t9;
+    const prt_real t10 = PRT__R(4.47811599108138469697) * t1 - PRT__R(2.23905799554069234849);
+    const prt_real t11 = z * t10;
+    out[19] = y * t11;
+    out[21] = x * t11;
+    const prt_real t12 = PRT__R(1.81395700920230242682) * t9 - PRT__R(1.00910143904649857838);
+    const prt_real t13 = t9 * t12 - PRT__R(0.561361547776433262911);
+    out[29] = y * t13;
+    out[31] = x * t13;
+    const prt_real t14 = PRT__R(2.00308404192443849618) * (z * t13) - PRT__R(1.00439949330516663946) * t11;
+    out[41] = y * t14;
+    out[43] = x * t14;
+    const prt_real t15 = x * y;
+    const prt_real t16 = t15 + t15;
+    out[4] = PRT__R(0.546274215296039535272) * t16;
+    const prt_real t17 = (x + y) * (x - y);
+    out[8] = PRT__R(0.546274215296039535272) * t17;
+    const prt_real t18 = PRT__R(1.44530572132027702769) * z;
+    out[10] = t16 * t18;
+    out[14] = t17 * t18;
+    const prt_real t19 = PRT__R(3.27764529177623721163) * t1 - PRT__R(0.546274215296039535272);
+    out[18] = t16 * t19;
+    out[22] = t17 * t19;
+    const prt_real t20 = PRT__R(7.04063249082559160399) * t1 - PRT__R(2.6402371840595968515);
+    const prt_real t21 = z * t20;
+    out[28] = t16 * t21;
+    out[32] = t17 * t21;
+    const prt_real t22 = PRT__R(1.37233279507355082388) * t19 - PRT__R(1.19947203320611937035);
+    const prt_real t23 = t19 * t22 - PRT__R(0.511906752897826512122);
+    out[40] = t16 * t23;
+    out[44] = t17 * t23;
+    const prt_real t24 = y * y;
+    const prt_real t25 = t17 + t24;
+    const prt_real t26 = y * (t17 + (t25 + t25));
+    out[9] = PRT__R(0.590043589926643510346) * t26;
+    const prt_real t27 = x * (t17 - (t24 + t24));
+    out[15] = PRT__R(0.590043589926643510346) * t27;
+    const prt_real t28 = PRT__R(1.77013076977993053104) * z;
+    out[17] = t26 * t28;
+    out[23] = t27 * t28;
+    const prt_real t29 = PRT__R(4.37968383934737954461) * t1 - PRT__R(0.547460479918422443076);
+    out[27] = t26 * t29;
+    out[33] = t27 * t29;
+    const prt_real t30 = PRT__R(10.0119715893477442193) * t1 - PRT__R(3.0035914768043232658);
+    const prt_real t31 = z * t30;
+    out[39] = t26 * t31;
+    out[45] = t27 * t31;
+    const prt_real t32 = t17 * t16;
+    const prt_real t33 = t32 + t32;
+    out[16] = PRT__R(0.625835735449176134587) * t33;
+    const prt_real t34 = (t17 + t16) * (t17 - t16);
+    out[24] = PRT__R(0.625835735449176134587) * t34;
+    const prt_real t35 = PRT__R(2.075662314881041279) * z;
+    out[26] = t33 * t35;
+    out[34] = t34 * t35;
+    const prt_real t36 = PRT__R(5.53226317538874894011) * t1 - PRT__R(0.553226317538874894011);
+    out[38] = t33 * t36;
+    out[46] = t34 * t36;
+    const prt_real t37 = y * t34 + x * t33;
+    out[25] = PRT__R(0.656382056840170102814) * t37;
+    const prt_real t38 = x * t34 - y * t33;
+    out[35] = PRT__R(0.656382056840170102814) * t38;
+    const prt_real t39 = PRT__R(2.36661916223175203199) * z;
+    out[37] = t37 * t39;
+    out[47] = t38 * t39;
+    const prt_real t40 = t27 * t26;
+    out[36] = PRT__R(0.683184105191914321975) * (t40 + t40);
+    out[48] = PRT__R(0.683184105191914321975) * ((t27 + t26) * (t27 - t26));
+}
+
+/* CH basis, 7 bands: 90 multiplications, 34 additions (20 can fuse), 49 stores */
+PRT__INLINE void prt__ch_eval_7_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out,
+    size_t stride, int first, int last) {
+    if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+    if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
+    const prt__vec t1 = z * z;
+    const prt__vec t2 = PRT__R(0.825888983611586872968) * t1 - PRT__R(0.412944491805793436484);
+    if (first <= 2 && 2 < last) prt__vec_store(out + 6 * stride, t2);
+    const prt__vec t3 = PRT__R(1.61906625351721666923) * t1 - PRT__R(1.21429969013791250192);
+    const prt__vec t4 = z * t3;
+    if (first <= 3 && 3 < last) prt__vec_store(out + 12 * stride, t4);
+    const prt__vec t5 = PRT__R(4.71662269588694702818) * t2 + PRT__R(9.62964972193617926528e-35);
+    const prt__vec t6 = t2 * t5 - PRT__R(0.402146687544551258061);
+    if (first <= 4 && 4 < last) prt__vec_store(out + 20 * stride, t6);
+    const prt__vec t7 = PRT__R(1.9941605714785482504) * (z * t6) - PRT__R(0.990626623845594065416) * t4;
+    if (first <= 5 && 5 < last) prt__vec_store(out + 30 * stride, t7);
+    if (first <= 6 && 6 < last)
+        prt__vec_store(out + 42 * stride, PRT__R(1.99686765665245415552) * (z * t7) - PRT__R(0.995518686839271862673) * t6);
+    if (first <= 7 && 7 < last) prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
+    if (first <= 8 && 8 < last) prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
+    const prt__vec t8 = PRT__R(1.09254843059207907054) * z;
+    if (first <= 9 && 9 < last) prt__vec_store(out + 5 * stride, y * t8);
+    if (first <= 10 && 10 < last) prt__vec_store(out + 7 * stride, x * t8);
+    const prt__vec t9 = PRT__R(2.2251937260415151452) * t1 - PRT__R(0.556298431510378786299);
+    if (first <= 11 && 11 < last) prt__vec_store(out + 11 * stride, y * t9);
+    if (first <= 12 && 12 < last) prt__vec_store(out + 13 * stride, x * t9);
+    const prt__vec t10 = PRT__R(4.47811599108138469697) * t1 - PRT__R(2.23905799554069234849);
+    const prt__vec t11 = z * t10;
+    if (first <= 13 && 13 < last) prt__vec_store(out + 19 * stride, y * t11);
+    if (first <= 14 && 14 < last) prt__vec_store(out + 21 * stride, x * t11);
+    const prt__vec t12 = PRT__R(1.81395700920230242682) * t9 - PRT__R(1.00910143904649857838);
+    const prt__vec t13 = t9 * t12 - PRT__R(0.561361547776433262911);
+    if (first <= 15 && 15 < last) prt__vec_store(out + 29 * stride, y * t13);
+    if (first <= 16 && 16 < last) prt__vec_store(out + 31 * stride, x * t13);
+    const prt__vec t14 = PRT__R(2.00308404192443849618) * (z * t13) - PRT__R(1.00439949330516663946) * t11;
+    if (first <= 17 && 17 < last) prt__vec_store(out + 41 * stride, y * t14);
+    if (first <= 18 && 18 < last) prt__vec_store(out + 43 * stride, x * t14);
+    const prt__vec t15 = x * y;
+    const prt__vec t16 = t15 + t15;
+    if (first <= 19 && 19 < last) prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t16);
+    const prt__vec t17 = (x + y) * (x - y);
+    if (first <= 20 && 20 < last) prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t17);
+    const prt__vec t18 = PRT__R(1.44530572132027702769) * z;
+    if (first <= 21 && 21 < last) prt__vec_store(out + 10 * stride, t16 * t18);
+    if (first <= 22 && 22 < last) prt__vec_store(out + 14 * stride, t17 * t18);
+    const prt__vec t19 = PRT__R(3.27764529177623721163) * t1 - PRT__R(0.546274215296039535272);
+    if (first <= 23 && 23 < last) prt__vec_store(out + 18 * stride, t16 * t19);
+    if (first <= 24 && 24 < last) prt__vec_store(out + 22 * stride, t17 * t19);
+    const prt__vec t20 = PRT__R(7.04063249082559160399) * t1 - PRT__R(2.6402371840595968515);
+    const prt__vec t21 = z * t20;
+    if (first <= 25 && 25 < last) prt__vec_store(out + 28 * stride, t16 * t21);
+    if (first <= 26 && 26 < last) prt__vec_store(out + 32 * stride, t17 * t21);
+    const prt__vec t22 = PRT__R(1.37233279507355082388) * t19 - PRT__R(1.19947203320611937035);
+    const prt__vec t23 = t19 * t22 - PRT__R(0.511906752897826512122);
+    if (first <= 27 && 27 < last) prt__vec_store(out + 40 * stride, t16 * t23);
+    if (first <= 28 && 28 < last) prt__vec_store(out + 44 * stride, t17 * t23);
+    const prt__vec t24 = y * y;
+    const prt__vec t25 = t17 + t24;
+    const prt__vec t26 = y * (t17 + (t25 + t25));
+    if (first <= 29 && 29 < last) prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * t26);
+    const prt__vec t27 = x * (t17 - (t24 + t24));
+    if (first <= 30 && 30 < last) prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * t27);
+    const prt__vec t28 = PRT__R(1.77013076977993053104) * z;
+    if (first <= 31 && 31 < last) prt__vec_store(out + 17 * stride, t26 * t28);
+    if (first <= 32 && 32 < last) prt__vec_store(out + 23 * stride, t27 * t28);
+    const prt__vec t29 = PRT__R(4.37968383934737954461) * t1 - PRT__R(0.547460479918422443076);
+    if (first <= 33 && 33 < last) prt__vec_store(out + 27 * stride, t26 * t29);
+    if (first <= 34 && 34 < last) prt__vec_store(out + 33 * stride, t27 * t29);
+    const prt__vec t30 = PRT__R(10.0119715893477442193) * t1 - PRT__R(3.0035914768043232658);
+    const prt__vec t31 = z * t30;
+    if (first <= 35 && 35 < last) prt__vec_store(out + 39 * stride, t26 * t31);
+    if (first <= 36 && 36 < last) prt__vec_store(out + 45 * stride, t27 * t31);
+    const prt__vec t32 = t17 * t16;
+    const prt__vec t33 = t32 + t32;
+    if (first <= 37 && 37 < last) prt__vec_store(out + 16 * stride, PRT__R(0.625835735449176134587) * t33);
+    const prt__vec t34 = (t17 + t16) * (t17 - t16);
+    if (first <= 38 && 38 < last) prt__vec_store(out + 24 * stride, PRT__R(0.625835735449176134587) * t34);
+    const prt__vec t35 = PRT__R(2.075662314881041279) * z;
+    if (first <= 39 && 39 < last) prt__vec_store(out + 26 * stride, t33 * t35);
+    if (first <= 40 && 40 < last) prt__vec_store(out + 34 * stride, t34 * t35);
+    const prt__vec t36 = PRT__R(5.53226317538874894011) * t1 - PRT__R(0.553226317538874894011);
+    if (first <= 41 && 41 < last) prt__vec_store(out + 38 * stride, t33 * t36);
+    if (first <= 42 && 42 < last) prt__vec_store(out + 46 * stride, t34 * t36);
+    const prt__vec t37 = y * t34 + x * t33;
+    if (first <= 43 && 43 < last) prt__vec_store(out + 25 * stride, PRT__R(0.656382056840170102814) * t37);
+    const prt__vec t38 = x * t34 - y * t33;
+    if (first <= 44 && 44 < last) prt__vec_store(out + 35 * stride, PRT__R(0.656382056840170102814) * t38);
+    const prt__vec t39 = PRT__R(2.36661916223175203199) * z;
+    if (first <= 45 && 45 < last) prt__vec_store(out + 37 * stride, t37 * t39);
+    if (first <= 46 && 46 < last) prt__vec_store(out + 47 * stride, t38 * t39);
+    const prt__vec t40 = t27 * t26;
+    if (first <= 47 && 47 < last) prt__vec_store(out + 36 * stride, PRT__R(0.683184105191914321975) * (t40 + t40));
+    if (first <= 48 && 48 < last)
+        prt__vec_store(out + 48 * stride, PRT__R(0.683184105191914321975) * ((t27 + t26) * (t27 - t26)));
+}
+
+PRT__STATIC void prt__ch_eval_7_v(int vectors, const prt_real *x, const prt_real *y, const prt_real *z,
+    prt_real *PRT__RESTRICT out, size_t stride) {
+    int k;
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_7_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 0, 7);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_7_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 7, 14);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_7_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 14, 21);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_7_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 21, 28);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_7_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 28, 35);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_7_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 35, 42);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_7_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 42, 49);
+}
+
+/* CH basis, 8 bands: 123 multiplications, 43 additions (29 can fuse), 64 stores */
+PRT__STATIC void prt__ch_eval_8(prt_real x, prt_real y, prt_real z, prt_real *PRT__RESTRICT out) {
+    out[0] = PRT__R(0.282094791773878143474);
+    out[2] = PRT__R(0.488602511902919921586) * z;
+    const prt_real t1 = z * z;
+    const prt_real t2 = PRT__R(0.825888983611586872968) * t1 - PRT__R(0.412944491805793436484);
+    out[6] = t2;
+    const prt_real t3 = PRT__R(1.61906625351721666923) * t1 - PRT__R(1.21429969013791250192);
+    const prt_real t4 = z * t3;
+    out[12] = t4;
+    const prt_real t5 = PRT__R(4.71662269588694702818) * t2 + PRT__R(9.62964972193617926528e-35);
+    const prt_real t6 = t2 * t5 - PRT__R(0.402146687544551258061);
+    out[20] = t6;
+    const prt_real t7 = PRT__R(1.9941605714785482504) * (z * t6) - PRT__R(0.990626623845594065416) * t4;
+    out[30] = t7;
+    const prt_real t8 = PRT__R(1.99686765665245415552) * (z * t7) - PRT__R(0.995518686839271862673) * t6;
+    out[42] = t8;
+    out[56] = PRT__R(1.9981247065730924832) * (z * t8) - PRT__R(0.99749765012849593691) * t7;
+    out[1] = PRT__R(0.488602511902919921586) * y;
+    out[3] = PRT__R(0.488602511902919921586) * x;
+    const prt_real t9 = PRT__R(1.09254843059207907054) * z;
+    out[5] = y * t9;
+    out[7] = x * t9;
+    const prt_real t10 = PRT__R(2.2251937260415151452) * t1 - PRT__R(0.556298431510378786299);
+    out[11] = y * t10;
+    out[13] = x * t10;
+    const prt_real t11 = PRT__R(4.47811599108138469697) * t1 - PRT__R(2.23905799554069234849);
+    const prt_real t12 = z * t11;
+    out[19] = y * t12;
+    out[21] = x * t12;
+    const prt_real t13 = PRT__R(1.81395700920230242682) * t10 - PRT__R(1.00910143904649857838);
+    const prt_real t14 = t10 * t13 - PRT__R(0.561361547776433262911);
+    out[29] = y * t14;
+    out[31] = x * t14;
+    const prt_real t15 = PRT__R(2.00308404192443849618) * (z * t14) - PRT__R(1.00439949330516663946) * t12;
+    out[41] = y * t15;
+    out[43] = x * t15;
+    const prt_real t16 = PRT__R(2.00185442784391621093) * (z * t15) - PRT__R(1.00247066466748147447) * t14;
+    out[55] = y * t16;
+    out[57] = x * t16;
+    const prt_real t17 = x * y;
+    const prt_real t18 = t17 + t17;
+    out[4] = PRT__R(0.546274215296039535272) * t18;
+    const prt_real t19 = (x + y) * (x - y);
+    out[8] = PRT__R(0.546274215296039535272) * t19;
+    const prt_real t20 = PRT__R(1.44530572132027702769) * z;
+    out[10] = t18 * t20;
+    out[14] = t19 * t20;
+    const prt_real t21 = PRT__R(3.27764529177623721163) * t1 - PRT__R(0.546274215296039535272);
+    out[18] = t18 * t21;
+    out[22] = t19 * t21;
+    const prt_real t22 = PRT__R(7.04063249082559160399) * t1 - PRT__R(2.6402371840595968515);
+    const prt_real t23 = z * t22;
+    out[28] = t18 * t23;
+    out[32] = t19 * t23;
+    const prt_real t24 = PRT__R(1.37233279507355082388) * t21 - PRT__R(1.19947203320611937035);
+    const prt_real t25 = t21 * t24 - PRT__R(0.511906752897826512122);
+    out[40] = t18 * t25;
+    out[44] = t19 * t25;
+    const prt_real t26 = PRT__R(2.06485074947180018626) * (z * t25) - PRT__R(1.00887444616012613957) * t23;
+    out[54] = t18 * t26;
+    out[58] = t19 * t26;
+    const prt_real t27 = y * y;
+    const prt_real t28 = t19 + t27;
+    const prt_real t29 = y * (t19 + (t28 + t28));
+    out[9] = PRT__R(0.590043589926643510346) * t29;
+    const prt_real t30 = x * (t19 - (t27 + t27));
+    out[15] = PRT__R(0.590043589926643510346) * t30;
+    const prt_real t31 = PRT__R(1.77013076977993053104) * z;
+    out[17] = t29 * t31;
+    out[23] = t30 * t31;
+    const prt_real t32 = PRT__R(4.37968383934737954461) * t1 - PRT__R(0.547460479918422443076);
+    out[27] = t29 * t32;
+    out[33] = t30 * t32;
+    const prt_real t33 = PRT__R(10.0119715893477442193) * t1 - PRT__R(3.0035914768043232658);
+    const prt_real t34 = z * t33;
+    out[39] = t29 * t34;
+    out[45] = t30 * t34;
+    const prt_real t35 = PRT__R(1.14470177335741903992) * t32 - PRT__R(1.25335796441144373015);
+    const prt_real t36 = t32 * t35 - PRT__R(0.48031476689438621492);
+    out[53] = t29 * t36;
+    out[59] = t30 * t36;
+    const prt_real t37 = t19 * t18;
+    const prt_real t38 = t37 + t37;
+    out[16] = PRT__R(0.625835735449176134587) * t38;
+    const prt_real t39 = (t19 + t18) * (t19 - t18);
+    out[24] = PRT__R(0.625835735449176134587) * t39;
+    const prt_real t40 = PRT__R(2.075662314881041279) * z;
+    out[26] = t38 * t40;
+    out[34] = t39 * t40;
+    const prt_real t41 = PRT__R(5.53226317538874894011) * t1 - PRT__R(0.553226317538874894011);
+    out[38] = t38 * t41;
+    out[46] = t39 * t41;
+    const prt_real t42 = PRT__R(13.3876196648007832099) * t1 - PRT__R(3.34690491620019580249);
+    const prt_real t43 = z * t42;
+    out[52] = t38 * t43;
+    out[60] = t39 * t43;
+    const prt_real t44 = y * t39 + x * t38;
+    out[25] = PRT__R(0.656382056840170102814) * t44;
+    const prt_real t45 = x * t39 - y * t38;
+    out[35] = PRT__R(0.656382056840170102814) * t45;
+    const prt_real t46 = PRT__R(2.36661916223175203199) * z;
+    out[37] = t44 * t46;
+    out[47] = t45 * t46;
+    const prt_real t47 = PRT__R(6.73131046101657472554) * t1 - PRT__R(0.560942538418047893795);
+    out[51] = t44 * t47;
+    out[61] = t45 * t47;
+    const prt_real t48 = t30 * t29;
+    const prt_real t49 = t48 + t48;
+    out[36] = PRT__R(0.683184105191914321975) * t49;
+    const prt_real t50 = (t30 + t29) * (t30 - t29);
+    out[48] = PRT__R(0.683184105191914321975) * t50;
+    const prt_real t51 = PRT__R(2.64596066180190022197) * z;
+    out[50] = t49 * t51;
+    out[62] = t50 * t51;
+    out[49] = PRT__R(0.707162732524596178226) * (y * t50 + x * t49);
+    out[63] = PRT__R(0.707162732524596178226) * (x * t50 - y * t49);
+}
+
+/* CH basis, 8 bands: 123 multiplications, 43 additions (29 can fuse), 64 stores */
+PRT__INLINE void prt__ch_eval_8_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out,
+    size_t stride, int first, int last) {
+    if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+    if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
+    const prt__vec t1 = z * z;
+    const prt__vec t2 = PRT__R(0.825888983611586872968) * t1 - PRT__R(0.412944491805793436484);
+    if (first <= 2 && 2 < last) prt__vec_store(out + 6 * stride, t2);
+    const prt__vec t3 = PRT__R(1.61906625351721666923) * t1 - PRT__R(1.21429969013791250192);
+    const prt__vec t4 = z * t3;
+    if (first <= 3 && 3 < last) prt__vec_store(out + 12 * stride, t4);
+    const prt__vec t5 = PRT__R(4.71662269588694702818) * t2 + PRT__R(9.62964972193617926528e-35);
+    const prt__vec t6 = t2 * t5 - PRT__R(0.402146687544551258061);
+    if (first <= 4 && 4 < last) prt__vec_store(out + 20 * stride, t6);
+    const prt__vec t7 = PRT__R(1.9941605714785482504) * (z * t6) - PRT__R(0.990626623845594065416) * t4;
+    if (first <= 5 && 5 < last) prt__vec_store(out + 30 * stride, t7);
+    const prt__vec t8 = PRT__R(1.99686765665245415552) * (z * t7) - PRT__R(0.995518686839271862673) * t6;
+    if (first <= 6 && 6 < last) prt__vec_store(out + 42 * stride, t8);
+    if (first <= 7 && 7 < last)
+        prt__vec_store(out + 56 * stride, PRT__R(1.9981247065730924832) * (z * t8) - PRT__R(0.99749765012849593691) * t7);
+    if (first <= 8 && 8 < last) prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
+    if (first <= 9 && 9 < last) prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
+    const prt__vec t9 = PRT__R(1.09254843059207907054) * z;
+    if (first <= 10 && 10 < last) prt__vec_store(out + 5 * stride, y * t9);
+    if (first <= 11 && 11 < last) prt__vec_store(out + 7 * stride, x * t9);
+    const prt__vec t10 = PRT__R(2.2251937260415151452) * t1 - PRT__R(0.556298431510378786299);
+    if (first <= 12 && 12 < last) prt__vec_store(out + 11 * stride, y * t10);
+    if (first <= 13 && 13 < last) prt__vec_store(out + 13 * stride, x * t10);
+    const prt__vec t11 = PRT__R(4.47811599108138469697) * t1 - PRT__R(2.23905799554069234849);
+    const prt__vec t12 = z * t11;
+    if (first <= 14 && 14 < last) prt__vec_store(out + 19 * stride, y * t12);
+    if (first <= 15 && 15 < last) prt__vec_store(out + 21 * stride, x * t12);
+    const prt__vec t13 = PRT__R(1.81395700920230242682) * t10 - PRT__R(1.00910143904649857838);
+    const prt__vec t14 = t10 * t13 - PRT__R(0.561361547776433262911);
+    if (first <= 16 && 16 < last) prt__vec_store(out + 29 * stride, y * t14);
+    if (first <= 17 && 17 < last) prt__vec_store(out + 31 * stride, x * t14);
+    const prt__vec t15 = PRT__R(2.00308404192443849618) * (z * t14) - PRT__R(1.00439949330516663946) * t12;
+    if (first <= 18 && 18 < last) prt__vec_store(out + 41 * stride, y * t15);
+    if (first <= 19 && 19 < last) prt__vec_store(out + 43 * stride, x * t15);
+    const prt__vec t16 = PRT__R(2.00185442784391621093) * (z * t15) - PRT__R(1.00247066466748147447) * t14;
+    if (first <= 20 && 20 < last) prt__vec_store(out + 55 * stride, y * t16);
+    if (first <= 21 && 21 < last) prt__vec_store(out + 57 * stride, x * t16);
+    const prt__vec t17 = x * y;
+    const prt__vec t18 = t17 + t17;
+    if (first <= 22 && 22 < last) prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t18);
+    const prt__vec t19 = (x + y) * (x - y);
+    if (first <= 23 && 23 < last) prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t19);
+    const prt__vec t20 = PRT__R(1.44530572132027702769) * z;
+    if (first <= 24 && 24 < last) prt__vec_store(out + 10 * stride, t18 * t20);
+    if (first <= 25 && 25 < last) prt__vec_store(out + 14 * stride, t19 * t20);
+    const prt__vec t21 = PRT__R(3.27764529177623721163) * t1 - PRT__R(0.546274215296039535272);
+    if (first <= 26 && 26 < last) prt__vec_store(out + 18 * stride, t18 * t21);
+    if (first <= 27 && 27 < last) prt__vec_store(out + 22 * stride, t19 * t21);
+    const prt__vec t22 = PRT__R(7.04063249082559160399) * t1 - PRT__R(2.6402371840595968515);
+    const prt__vec t23 = z * t22;
+    if (first <= 28 && 28 < last) prt__vec_store(out + 28 * stride, t18 * t23);
+    if (first <= 29 && 29 < last) prt__vec_store(out + 32 * stride, t19 * t23);
+    const prt__vec t24 = PRT__R(1.37233279507355082388) * t21 - PRT__R(1.19947203320611937035);
+    const prt__vec t25 = t21 * t24 - PRT__R(0.511906752897826512122);
+    if (first <= 30 && 30 < last) prt__vec_store(out + 40 * stride, t18 * t25);
+    if (first <= 31 && 31 < last) prt__vec_store(out + 44 * stride, t19 * t25);
+    const prt__vec t26 = PRT__R(2.06485074947180018626) * (z * t25) - PRT__R(1.00887444616012613957) * t23;
+    if (first <= 32 && 32 < last) prt__vec_store(out + 54 * stride, t18 * t26);
+    if (first <= 33 && 33 < last) prt__vec_store(out + 58 * stride, t19 * t26);
+    const prt__vec t27 = y * y;
+    const prt__vec t28 = t19 + t27;
+    const prt__vec t29 = y * (t19 + (t28 + t28));
+    if (first <= 34 && 34 < last) prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * t29);
+    const prt__vec t30 = x * (t19 - (t27 + t27));
+    if (first <= 35 && 35 < last) prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * t30);
+    const prt__vec t31 = PRT__R(1.77013076977993053104) * z;
+    if (first <= 36 && 36 < last) prt__vec_store(out + 17 * stride, t29 * t31);
+    if (first <= 37 && 37 < last) prt__vec_store(out + 23 * stride, t30 * t31);
+    const prt__vec t32 = PRT__R(4.37968383934737954461) * t1 - PRT__R(0.547460479918422443076);
+    if (first <= 38 && 38 < last) prt__vec_store(out + 27 * stride, t29 * t32);
+    if (first <= 39 && 39 < last) prt__vec_store(out + 33 * stride, t30 * t32);
+    const prt__vec t33 = PRT__R(10.0119715893477442193) * t1 - PRT__R(3.0035914768043232658);
+    const prt__vec t34 = z * t33;
+    if (first <= 40 && 40 < last) prt__vec_store(out + 39 * stride, t29 * t34);
+    if (first <= 41 && 41 < last) prt__vec_store(out + 45 * stride, t30 * t34);
+    const prt__vec t35 = PRT__R(1.14470177335741903992) * t32 - PRT__R(1.25335796441144373015);
+    const prt__vec t36 = t32 * t35 - PRT__R(0.48031476689438621492);
+    if (first <= 42 && 42 < last) prt__vec_store(out + 53 * stride, t29 * t36);
+    if (first <= 43 && 43 < last) prt__vec_store(out + 59 * stride, t30 * t36);
+    const prt__vec t37 = t19 * t18;
+    const prt__vec t38 = t37 + t37;
+    if (first <= 44 && 44 < last) prt__vec_store(out + 16 * stride, PRT__R(0.625835735449176134587) * t38);
+    const prt__vec t39 = (t19 + t18) * (t19 - t18);
+    if (first <= 45 && 45 < last) prt__vec_store(out + 24 * stride, PRT__R(0.625835735449176134587) * t39);
+    const prt__vec t40 = PRT__R(2.075662314881041279) * z;
+    if (first <= 46 && 46 < last) prt__vec_store(out + 26 * stride, t38 * t40);
+    if (first <= 47 && 47 < last) prt__vec_store(out + 34 * stride, t39 * t40);
+    const prt__vec t41 = PRT__R(5.53226317538874894011) * t1 - PRT__R(0.553226317538874894011);
+    if (first <= 48 && 48 < last) prt__vec_store(out + 38 * stride, t38 * t41);
+    if (first <= 49 && 49 < last) prt__vec_store(out + 46 * stride, t39 * t41);
+    const prt__vec t42 = PRT__R(13.3876196648007832099) * t1 - PRT__R(3.34690491620019580249);
+    const prt__vec t43 = z * t42;
+    if (first <= 50 && 50 < last) prt__vec_store(out + 52 * stride, t38 * t43);
+    if (first <= 51 && 51 < last) prt__vec_store(out + 60 * stride, t39 * t43);
+    const prt__vec t44 = y * t39 + x * t38;
+    if (first <= 52 && 52 < last) prt__vec_store(out + 25 * stride, PRT__R(0.656382056840170102814) * t44);
+    const prt__vec t45 = x * t39 - y * t38;
+    if (first <= 53 && 53 < last) prt__vec_store(out + 35 * stride, PRT__R(0.656382056840170102814) * t45);
+    const prt__vec t46 = PRT__R(2.36661916223175203199) * z;
+    if (first <= 54 && 54 < last) prt__vec_store(out + 37 * stride, t44 * t46);
+    if (first <= 55 && 55 < last) prt__vec_store(out + 47 * stride, t45 * t46);
+    const prt__vec t47 = PRT__R(6.73131046101657472554) * t1 - PRT__R(0.560942538418047893795);
+    if (first <= 56 && 56 < last) prt__vec_store(out + 51 * stride, t44 * t47);
+    if (first <= 57 && 57 < last) prt__vec_store(out + 61 * stride, t45 * t47);
+    const prt__vec t48 = t30 * t29;
+    const prt__vec t49 = t48 + t48;
+    if (first <= 58 && 58 < last) prt__vec_store(out + 36 * stride, PRT__R(0.683184105191914321975) * t49);
+    const prt__vec t50 = (t30 + t29) * (t30 - t29);
+    if (first <= 59 && 59 < last) prt__vec_store(out + 48 * stride, PRT__R(0.683184105191914321975) * t50);
+    const prt__vec t51 = PRT__R(2.64596066180190022197) * z;
+    if (first <= 60 && 60 < last) prt__vec_store(out + 50 * stride, t49 * t51);
+    if (first <= 61 && 61 < last) prt__vec_store(out + 62 * stride, t50 * t51);
+    if (first <= 62 && 62 < last)
+        prt__vec_store(out + 49 * stride, PRT__R(0.707162732524596178226) * (y * t50 + x * t49));
+    if (first <= 63 && 63 < last)
+        prt__vec_store(out + 63 * stride, PRT__R(0.707162732524596178226) * (x * t50 - y * t49));
+}
+
+PRT__STATIC void prt__ch_eval_8_v(int vectors, const prt_real *x, const prt_real *y, const prt_real *z,
+    prt_real *PRT__RESTRICT out, size_t stride) {
+    int k;
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_8_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 0, 8);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_8_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 8, 16);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_8_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 16, 24);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_8_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 24, 32);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_8_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 32, 40);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_8_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 40, 48);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_8_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 48, 56);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_8_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 56, 64);
+}
+
+/* CH basis, 9 bands: 159 multiplications, 54 additions (37 can fuse), 81 stores */
+PRT__STATIC void prt__ch_eval_9(prt_real x, prt_real y, prt_real z, prt_real *PRT__RESTRICT out) {
+    out[0] = PRT__R(0.282094791773878143474);
+    out[2] = PRT__R(0.488602511902919921586) * z;
+    const prt_real t1 = z * z;
+    const prt_real t2 = PRT__R(0.825888983611586872968) * t1 - PRT__R(0.412944491805793436484);
+    out[6] = t2;
+    const prt_real t3 = PRT__R(1.61906625351721666923) * t1 - PRT__R(1.21429969013791250192);
+    const prt_real t4 = z * t3;
+    out[12] = t4;
+    const prt_real t5 = PRT__R(4.71662269588694702818) * t2 + PRT__R(9.62964972193617926528e-35);
+    const prt_real t6 = t2 * t5 - PRT__R(0.402146687544551258061);
+    out[20] = t6;
+    const prt_real t7 = PRT__R(1.9941605714785482504) * (z * t6) - PRT__R(0.990626623845594065416) * t4;
+    out[30] = t7;
+    const prt_real t8 = PRT__R(1.99686765665245415552) * (z * t7) - PRT__R(0.995518686839271862673) * t6;
+    out[42] = t8;
+    const prt_real t9 = PRT__R(1.9981247065730924832) * (z * t8) - PRT__R(0.99749765012849593691) * t7;
+    out[56] = t9;
+    out[72] = PRT__R(1.99878824587482633945) * (z * t9) - PRT__R(0.998457044322595902884) * t8;
+    out[1] = PRT__R(0.488602511902919921586) * y;
+    out[3] = PRT__R(0.488602511902919921586) * x;
+    const prt_real t10 = PRT__R(1.09254843059207907054) * z;
+    out[5] = y * t10;
+    out[7] = x * t10;
+    const prt_real t11 = PRT__R(2.2251937260415151452) * t1 - PRT__R(0.556298431510378786299);
+    out[11] = y * t11;
+    out[13] = x * t11;
+    const prt_real t12 = PRT__R(4.47811599108138469697) * t1 - PRT__R(2.23905799554069234849);
+    const prt_real t13 = z * t12;
+    out[19] = y * t13;
+    out[21] = x * t13;
+    const prt_real t14 = PRT__R(1.81395700920230242682) * t11 - PRT__R(1.00910143904649857838);
+    const prt_real t15 = t11 * t14 - PRT__R(0.561361547776433262911);
+    out[29] = y * t15;
+    out[31] = x * t15;
+    const prt_real t16 = PRT__R(2.00308404192443849618) * (z * t15) - PRT__R(1.00439949330516663946) * t13;
+    out[41] = y * t16;
+    out[43] = x * t16;
+    const prt_real t17 = PRT__R(2.00185442784391621093) * (z * t16) - PRT__R(1.00247066466748147447) * t15;
+    out[55] = y * t17;
+    out[57] = x * t17;
+    const prt_real t18 = PRT__R(2.00120156213902958958) * (z * t17) - PRT__R(1.00152855204404460325) * t16;
+    out[71] = y * t18;
+    out[73] = x * t18;
+    const prt_real t19 = x * y;
+    const prt_real t20 = t19 + t19;
+    out[4] = PRT__R(0.546274215296039535272) * t20;
+    const prt_real t21 = (x + y) * (x - y);
+    out[8] = PRT__R(0.546274215296039535272) * t21;
+    const prt_real t22 = PRT__R(1.44530572132027702769) * z;
+    out[10] = t20 * t22;
+    out[14] = t21 * t22;
+    const prt_real t23 = PRT__R(3.27764529177623721163) * t1 - PRT__R(0.546274215296039535272);
+    out[18] = t20 * t23;
+    out[22] = t21 * t23;
+    const prt_real t24 = PRT__R(7.04063249082559160399) * t1 - PRT__R(2.6402371840595968515);
+    const prt_real t25 = z * t24;
+    out[28] = t20 * t25;
+    out[32] = t21 * t25;
+    const prt_real t26 = PRT__R(1.37233279507355082388) * t23 - PRT__R(1.19947203320611937035);
+    const prt_real t27 = t23 * t26 - PRT__R(0.511906752897826512122);
+    out[40] = t20 * t27;
+    out[44] = t21 * t27;
+    const prt_real t28 = PRT__R(2.06485074947180018626) * (z * t27) - PRT__R(1.00887444616012613957) * t25;
+    out[54] = t20 * t28;
+    out[58] = t21 * t28;
+    const prt_real t29 = PRT__R(2.047379529757827986) * (z * t28) - PRT__R(1.0065555134461126069) * t27;
+    out[70] = t20 * t29;
+    out[74] = t21 * t29;
+    const prt_real t30 = y * y;
+    const prt_real t31 = t21 + t30;
+    const prt_real t32 = y * (t21 + (t31 + t31));
+    out[9] = PRT__R(0.590043589926643510346) * t32;
+    const prt_real t33 = x * (t21 - (t30 + t30));
+    out[15] = PRT__R(0.590043589926643510346) * t33;
+    const prt_real t34 = PRT__R(1.77013076977993053104) * z;
+    out[17] = t32 * t34;
+    out[23] = t33 * t34;
+    const prt_real t35 = PRT__R(4.37968383934737954461) * t1 - PRT__R(0.547460479918422443076);
+    out[27] = t32 * t35;
+    out[33] = t33 * t35;
+    const prt_real t36 = PRT__R(10.0119715893477442193) * t1 - PRT__R(3.0035914768043232658);
+    const prt_real t37 = z * t36;
+    out[39] = t32 * t37;
+    out[45] = t33 * t37;
+    const prt_real t38 = PRT__R(1.14470177335741903992) * t35 - PRT__R(1.25335796441144373015);
+    const prt_real t39 = t35 * t38 - PRT__R(0.48031476689438621492);
+    out[53] = t32 * t39;
+    out[59] = t33 * t39;
+    const prt_real t40 = PRT__R(2.13960769627671528242) * (z * t39) - PRT__R(1.00550825192169375133) * t37;
+    out[69] = t32 * t40;
+    out[75] = t33 * t40;
+    const prt_real t41 = t21 * t20;
+    const prt_real t42 = t41 + t41;
+    out[16] = PRT__R(0.625835735449176134587) * t42;
+    const prt_real t43 = (t21 + t20) * (t21 - t20);
+    out[24] = PRT__R(0.625835735449176134587) * t43;
+    const prt_real t44 = PRT__R(2.075662314881041279) * z;
+    out[26] = t42 * t44;
+    out[34] = t43 * t44;
+    const prt_real t45 = PRT__R(5.53226317538874894011) * t1 - PRT__R(0.553226317538874894011);
+    out[38] = t42 * t45;
+    out[46] = t43 * t45;
+    const prt_real t46 = PRT__R(13.3876196648007832099) * t1 - PRT__R(3.34690491620019580249);
+    const prt_real t47 = z * t46;
+    out[52] = t42 * t47;
+    out[60] = t43 * t47;
+    const prt_real t48 = PRT__R(1.00325462178684816145) * t45 - PRT__R(1.26863282277713073229);
+    const prt_real t49 = t45 * t48 - PRT__R(0.460583198810398206878);
+    out[68] = t42 * t49;
+    out[76] = t43 * t49;
+    const prt_real t50 = y * t43 + x * t42;
+    out[25] = PRT__R(0.656382056840170102814) * t50;
+    const prt_real t51 = x * t43 - y * t42;
+    out[35] = PRT__R(0.656382056840170102814) * t51;
+    const prt_real t52 = PRT__R(2.36661916223175203199) * z;
+    out[37] = t50 * t52;
+    out[47] = t51 * t52;
+    const prt_real t53 = PRT__R(6.73131046101657472554) * t1 - PRT__R(0.560942538418047893795);
+    out[51] = t50 * t53;
+    out[61] = t51 * t53;
+    const prt_real t54 = PRT__R(17.1567982383278290323) * t1 - PRT__R(3.67645676535596336405);
+    const prt_real t55 = z * t54;
+    out[67] = t50 * t55;
+    out[77] = t51 * t55;
+    const prt_real t56 = t33 * t32;
+    const prt_real t57 = t56 + t56;
+    out[36] = PRT__R(0.683184105191914321975) * t57;
+    const prt_real t58 = (t33 + t32) * (t33 - t32);
+    out[48] = PRT__R(0.683184105191914321975) * t58;
+    const prt_real t59 = PRT__R(2.64596066180190022197) * z;
+    out[50] = t57 * t59;
+    out[62] = t58 * t59;
+    const prt_real t60 = PRT__R(7.97265272468488541901) * t1 - PRT__R(0.569475194620348958501);
+    out[66] = t57 * t60;
+    out[78] = t58 * t60;
+    const prt_real t61 = y * t58 + x * t57;
+    out[49] = PRT__R(0.707162732524596178226) * t61;
+    const prt_real t62 = x * t58 - y * t57;
+    out[63] = PRT__R(0.707162732524596178226) * t62;
+    const prt_real t63 = PRT__R(2.91570664069931947548) * z;
+    out[65] = t61 * t63;
+    out[79] = t62 * t63;
+    const prt_real t64 = t43 * t42;
+    out[64] = PRT__R(0.72892666017482986887) * (t64 + t64);
+    out[80] = PRT__R(0.72892666017482986887) * ((t43 + t42) * (t43 - t42));
+}
+
+/* CH basis, 9 bands: 159 multiplications, 54 additions (37 can fuse), 81 stores */
+PRT__INLINE void prt__ch_eval_9_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out,
+    size_t stride, int first, int last) {
+    if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+    if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
+    const prt__vec t1 = z * z;
+    const prt__vec t2 = PRT__R(0.825888983611586872968) * t1 - PRT__R(0.412944491805793436484);
+    if (first <= 2 && 2 < last) prt__vec_store(out + 6 * stride, t2);
+    const prt__vec t3 = PRT__R(1.61906625351721666923) * t1 - PRT__R(1.21429969013791250192);
+    const prt__vec t4 = z * t3;
+    if (first <= 3 && 3 < last) prt__vec_store(out + 12 * stride, t4);
+    const prt__vec t5 = PRT__R(4.71662269588694702818) * t2 + PRT__R(9.62964972193617926528e-35);
+    const prt__vec t6 = t2 * t5 - PRT__R(0.402146687544551258061);
+    if (first <= 4 && 4 < last) prt__vec_store(out + 20 * stride, t6);
+    const prt__vec t7 = PRT__R(1.9941605714785482504) * (z * t6) - PRT__R(0.990626623845594065416) * t4;
+    if (first <= 5 && 5 < last) prt__vec_store(out + 30 * stride, t7);
+    const prt__vec t8 = PRT__R(1.99686765665245415552) * (z * t7) - PRT__R(0.995518686839271862673) * t6;
+    if (first <= 6 && 6 < last) prt__vec_store(out + 42 * stride, t8);
+    const prt__vec t9 = PRT__R(1.9981247065730924832) * (z * t8) - PRT__R(0.99749765012849593691) * t7;
+    if (first <= 7 && 7 < last) prt__vec_store(out + 56 * stride, t9);
+    if (first <= 8 && 8 < last)
+        prt__vec_store(out + 72 * stride, PRT__R(1.99878824587482633945) * (z * t9) - PRT__R(0.998457044322595902884) * t8);
+    if (first <= 9 && 9 < last) prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
+    if (first <= 10 && 10 < last) prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
+    const prt__vec t10 = PRT__R(1.09254843059207907054) * z;
+    if (first <= 11 && 11 < last) prt__vec_store(out + 5 * stride, y * t10);
+    if (first <= 12 && 12 < last) prt__vec_store(out + 7 * stride, x * t10);
+    const prt__vec t11 = PRT__R(2.2251937260415151452) * t1 - PRT__R(0.556298431510378786299);
+    if (first <= 13 && 13 < last) prt__vec_store(out + 11 * stride, y * t11);
+    if (first <= 14 && 14 < last) prt__vec_store(out + 13 * stride, x * t11);
+    const prt__vec t12 = PRT__R(4.47811599108138469697) * t1 - PRT__R(2.23905799554069234849);
+    const prt__vec t13 = z * t12;
+    if (first <= 15 && 15 < last) prt__vec_store(out + 19 * stride, y * t13);
+    if (first <= 16 && 16 < last) prt__vec_store(out + 21 * stride, x * t13);
+    const prt__vec t14 = PRT__R(1.81395700920230242682) * t11 - PRT__R(1.00910143904649857838);
+    const prt__vec t15 = t11 * t14 - PRT__R(0.561361547776433262911);
+    if (first <= 17 && 17 < last) prt__vec_store(out + 29 * stride, y * t15);
+    if (first <= 18 && 18 < last) prt__vec_store(out + 31 * stride, x * t15);
+    const prt__vec t16 = PRT__R(2.00308404192443849618) * (z * t15) - PRT__R(1.00439949330516663946) * t13;
+    if (first <= 19 && 19 < last) prt__vec_store(out + 41 * stride, y * t16);
+    if (first <= 20 && 20 < last) prt__vec_store(out + 43 * stride, x * t16);
+    const prt__vec t17 = PRT__R(2.00185442784391621093) * (z * t16) - PRT__R(1.00247066466748147447) * t15;
+    if (first <= 21 && 21 < last) prt__vec_store(out + 55 * stride, y * t17);
+    if (first <= 22 && 22 < last) prt__vec_store(out + 57 * stride, x * t17);
+    const prt__vec t18 = PRT__R(2.00120156213902958958) * (z * t17) - PRT__R(1.00152855204404460325) * t16;
+    if (first <= 23 && 23 < last) prt__vec_store(out + 71 * stride, y * t18);
+    if (first <= 24 && 24 < last) prt__vec_store(out + 73 * stride, x * t18);
+    const prt__vec t19 = x * y;
+    const prt__vec t20 = t19 + t19;
+    if (first <= 25 && 25 < last) prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t20);
+    const prt__vec t21 = (x + y) * (x - y);
+    if (first <= 26 && 26 < last) prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t21);
+    const prt__vec t22 = PRT__R(1.44530572132027702769) * z;
+    if (first <= 27 && 27 < last) prt__vec_store(out + 10 * stride, t20 * t22);
+    if (first <= 28 && 28 < last) prt__vec_store(out + 14 * stride, t21 * t22);
+    const prt__vec t23 = PRT__R(3.27764529177623721163) * t1 - PRT__R(0.546274215296039535272);
+    if (first <= 29 && 29 < last) prt__vec_store(out + 18 * stride, t20 * t23);
+    if (first <= 30 && 30 < last) prt__vec_store(out + 22 * stride, t21 * t23);
+    const prt__vec t24 = PRT__R(7.04063249082559160399) * t1 - PRT__R(2.6402371840595968515);
+    const prt__vec t25 = z * t24;
+    if (first <= 31 && 31 < last) prt__vec_store(out + 28 * stride, t20 * t25);
+    if (first <= 32 && 32 < last) prt__vec_store(out + 32 * stride, t21 * t25);
+    const prt__vec t26 = PRT__R(1.37233279507355082388) * t23 - PRT__R(1.19947203320611937035);
+    const prt__vec t27 = t23 * t26 - PRT__R(0.511906752897826512122);
+    if (first <= 33 && 33 < last) prt__vec_store(out + 40 * stride, t20 * t27);
+    if (first <= 34 && 34 < last) prt__vec_store(out + 44 * stride, t21 * t27);
+    const prt__vec t28 = PRT__R(2.06485074947180018626) * (z * t27) - PRT__R(1.00887444616012613957) * t25;
+    if (first <= 35 && 35 < last) prt__vec_store(out + 54 * stride, t20 * t28);
+    if (first <= 36 && 36 < last) prt__vec_store(out + 58 * stride, t21 * t28);
+    const prt__vec t29 = PRT__R(2.047379529757827986) * (z * t28) - PRT__R(1.0065555134461126069) * t27;
+    if (first <= 37 && 37 < last) prt__vec_store(out + 70 * stride, t20 * t29);
+    if (first <= 38 && 38 < last) prt__vec_store(out + 74 * stride, t21 * t29);
+    const prt__vec t30 = y * y;
+    const prt__vec t31 = t21 + t30;
+    const prt__vec t32 = y * (t21 + (t31 + t31));
+    if (first <= 39 && 39 < last) prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * t32);
+    const prt__vec t33 = x * (t21 - (t30 + t30));
+    if (first <= 40 && 40 < last) prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * t33);
+    const prt__vec t34 = PRT__R(1.77013076977993053104) * z;
+    if (first <= 41 && 41 < last) prt__vec_store(out + 17 * stride, t32 * t34);
+    if (first <= 42 && 42 < last) prt__vec_store(out + 23 * stride, t33 * t34);
+    const prt__vec t35 = PRT__R(4.37968383934737954461) * t1 - PRT__R(0.547460479918422443076);
+    if (first <= 43 && 43 < last) prt__vec_store(out + 27 * stride, t32 * t35);
+    if (first <= 44 && 44 < last) prt__vec_store(out + 33 * stride, t33 * t35);
+    const prt__vec t36 = PRT__R(10.0119715893477442193) * t1 - PRT__R(3.0035914768043232658);
+    const prt__vec t37 = z * t36;
+    if (first <= 45 && 45 < last) prt__vec_store(out + 39 * stride, t32 * t37);
+    if (first <= 46 && 46 < last) prt__vec_store(out + 45 * stride, t33 * t37);
+    const prt__vec t38 = PRT__R(1.14470177335741903992) * t35 - PRT__R(1.25335796441144373015);
+    const prt__vec t39 = t35 * t38 - PRT__R(0.48031476689438621492);
+    if (first <= 47 && 47 < last) prt__vec_store(out + 53 * stride, t32 * t39);
+    if (first <= 48 && 48 < last) prt__vec_store(out + 59 * stride, t33 * t39);
+    const prt__vec t40 = PRT__R(2.13960769627671528242) * (z * t39) - PRT__R(1.00550825192169375133) * t37;
+    if (first <= 49 && 49 < last) prt__vec_store(out + 69 * stride, t32 * t40);
+    if (first <= 50 && 50 < last) prt__vec_store(out + 75 * stride, t33 * t40);
+    const prt__vec t41 = t21 * t20;
+    const prt__vec t42 = t41 + t41;
+    if (first <= 51 && 51 < last) prt__vec_store(out + 16 * stride, PRT__R(0.625835735449176134587) * t42);
+    const prt__vec t43 = (t21 + t20) * (t21 - t20);
+    if (first <= 52 && 52 < last) prt__vec_store(out + 24 * stride, PRT__R(0.625835735449176134587) * t43);
+    const prt__vec t44 = PRT__R(2.075662314881041279) * z;
+    if (first <= 53 && 53 < last) prt__vec_store(out + 26 * stride, t42 * t44);
+    if (first <= 54 && 54 < last) prt__vec_store(out + 34 * stride, t43 * t44);
+    const prt__vec t45 = PRT__R(5.53226317538874894011) * t1 - PRT__R(0.553226317538874894011);
+    if (first <= 55 && 55 < last) prt__vec_store(out + 38 * stride, t42 * t45);
+    if (first <= 56 && 56 < last) prt__vec_store(out + 46 * stride, t43 * t45);
+    const prt__vec t46 = PRT__R(13.3876196648007832099) * t1 - PRT__R(3.34690491620019580249);
+    const prt__vec t47 = z * t46;
+    if (first <= 57 && 57 < last) prt__vec_store(out + 52 * stride, t42 * t47);
+    if (first <= 58 && 58 < last) prt__vec_store(out + 60 * stride, t43 * t47);
+    const prt__vec t48 = PRT__R(1.00325462178684816145) * t45 - PRT__R(1.26863282277713073229);
+    const prt__vec t49 = t45 * t48 - PRT__R(0.460583198810398206878);
+    if (first <= 59 && 59 < last) prt__vec_store(out + 68 * stride, t42 * t49);
+    if (first <= 60 && 60 < last) prt__vec_store(out + 76 * stride, t43 * t49);
+    const prt__vec t50 = y * t43 + x * t42;
+    if (first <= 61 && 61 < last) prt__vec_store(out + 25 * stride, PRT__R(0.656382056840170102814) * t50);
+    const prt__vec t51 = x * t43 - y * t42;
+    if (first <= 62 && 62 < last) prt__vec_store(out + 35 * stride, PRT__R(0.656382056840170102814) * t51);
+    const prt__vec t52 = PRT__R(2.36661916223175203199) * z;
+    if (first <= 63 && 63 < last) prt__vec_store(out + 37 * stride, t50 * t52);
+    if (first <= 64 && 64 < last) prt__vec_store(out + 47 * stride, t51 * t52);
+    const prt__vec t53 = PRT__R(6.73131046101657472554) * t1 - PRT__R(0.560942538418047893795);
+    if (first <= 65 && 65 < last) prt__vec_store(out + 51 * stride, t50 * t53);
+    if (first <= 66 && 66 < last) prt__vec_store(out + 61 * stride, t51 * t53);
+    const prt__vec t54 = PRT__R(17.1567982383278290323) * t1 - PRT__R(3.67645676535596336405);
+    const prt__vec t55 = z * t54;
+    if (first <= 67 && 67 < last) prt__vec_store(out + 67 * stride, t50 * t55);
+    if (first <= 68 && 68 < last) prt__vec_store(out + 77 * stride, t51 * t55);
+    const prt__vec t56 = t33 * t32;
+    const prt__vec t57 = t56 + t56;
+    if (first <= 69 && 69 < last) prt__vec_store(out + 36 * stride, PRT__R(0.683184105191914321975) * t57);
+    const prt__vec t58 = (t33 + t32) * (t33 - t32);
+    if (first <= 70 && 70 < last) prt__vec_store(out + 48 * stride, PRT__R(0.683184105191914321975) * t58);
+    const prt__vec t59 = PRT__R(2.64596066180190022197) * z;
+    if (first <= 71 && 71 < last) prt__vec_store(out + 50 * stride, t57 * t59);
+    if (first <= 72 && 72 < last) prt__vec_store(out + 62 * stride, t58 * t59);
+    const prt__vec t60 = PRT__R(7.97265272468488541901) * t1 - PRT__R(0.569475194620348958501);
+    if (first <= 73 && 73 < last) prt__vec_store(out + 66 * stride, t57 * t60);
+    if (first <= 74 && 74 < last) prt__vec_store(out + 78 * stride, t58 * t60);
+    const prt__vec t61 = y * t58 + x * t57;
+    if (first <= 75 && 75 < last) prt__vec_store(out + 49 * stride, PRT__R(0.707162732524596178226) * t61);
+    const prt__vec t62 = x * t58 - y * t57;
+    if (first <= 76 && 76 < last) prt__vec_store(out + 63 * stride, PRT__R(0.707162732524596178226) * t62);
+    const prt__vec t63 = PRT__R(2.91570664069931947548) * z;
+    if (first <= 77 && 77 < last) prt__vec_store(out + 65 * stride, t61 * t63);
+    if (first <= 78 && 78 < last) prt__vec_store(out + 79 * stride, t62 * t63);
+    const prt__vec t64 = t43 * t42;
+    if (first <= 79 && 79 < last) prt__vec_store(out + 64 * stride, PRT__R(0.72892666017482986887) * (t64 + t64));
+    if (first <= 80 && 80 < last)
+        prt__vec_store(out + 80 * stride, PRT__R(0.72892666017482986887) * ((t43 + t42) * (t43 - t42)));
+}
+
+PRT__STATIC void prt__ch_eval_9_v(int vectors, const prt_real *x, const prt_real *y, const prt_real *z,
+    prt_real *PRT__RESTRICT out, size_t stride) {
+    int k;
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_9_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 0, 8);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_9_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 8, 16);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_9_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 16, 24);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_9_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 24, 32);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_9_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 32, 40);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_9_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 40, 48);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_9_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 48, 56);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_9_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 56, 64);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_9_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 64, 72);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_9_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 72, 80);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_9_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 80, 81);
+}
+
+/* CH basis, 10 bands: 202 multiplications, 65 additions (48 can fuse), 100 stores */
+PRT__STATIC void prt__ch_eval_10(prt_real x, prt_real y, prt_real z, prt_real *PRT__RESTRICT out) {
+    out[0] = PRT__R(0.282094791773878143474);
+    out[2] = PRT__R(0.488602511902919921586) * z;
+    const prt_real t1 = z * z;
+    const prt_real t2 = PRT__R(0.825888983611586872968) * t1 - PRT__R(0.412944491805793436484);
+    out[6] = t2;
+    const prt_real t3 = PRT__R(1.61906625351721666923) * t1 - PRT__R(1.21429969013791250192);
+    const prt_real t4 = z * t3;
+    out[12] = t4;
+    const prt_real t5 = PRT__R(4.71662269588694702818) * t2 + PRT__R(9.62964972193617926528e-35);
+    const prt_real t6 = t2 * t5 - PRT__R(0.402146687544551258061);
+    out[20] = t6;
+    const prt_real t7 = PRT__R(1.9941605714785482504) * (z * t6) - PRT__R(0.990626623845594065416) * t4;
+    out[30] = t7;
+    const prt_real t8 = PRT__R(1.99686765665245415552) * (z * t7) - PRT__R(0.995518686839271862673) * t6;
+    out[42] = t8;
+    const prt_real t9 = PRT__R(1.9981247065730924832) * (z * t8) - PRT__R(0.99749765012849593691) * t7;
+    out[56] = t9;
+    const prt_real t10 = PRT__R(1.99878824587482633945) * (z * t9) - PRT__R(0.998457044322595902884) * t8;
+    out[72] = t10;
+    out[90] = PRT__R(1.9991716711179192974) * (z * t10) - PRT__R(0.998980209429107783872) * t9;
+    out[1] = PRT__R(0.488602511902919921586) * y;
+    out[3] = PRT__R(0.488602511902919921586) * x;
+    const prt_real t11 = PRT__R(1.09254843059207907054) * z;
+    out[5] = y * t11;
+    out[7] = x * t11;
+    const prt_real t12 = PRT__R(2.2251937260415151452) * t1 - PRT__R(0.556298431510378786299);
+    out[11] = y * t12;
+    out[13] = x * t12;
+    const prt_real t13 = PRT__R(4.47811599108138469697) * t1 - PRT__R(2.23905799554069234849);
+    const prt_real t14 = z * t13;
+    out[19] = y * t14;
+    out[21] = x * t14;
+    const prt_real t15 = PRT__R(1.81395700920230242682) * t12 - PRT__R(1.00910143904649857838);
+    const prt_real t16 = t12 * t15 - PRT__R(0.561361547776433262911);
+    out[29] = y * t16;
+    out[31] = x * t16;
+    const prt_real t17 = PRT__R(2.00308404192443849618) * (z * t16) - PRT__R(1.00439949330516663946) * t14;
+    out[41] = y * t17;
+    out[43] = x * t17;
+    const prt_real t18 = PRT__R(2.00185442784391621093) * (z * t17) - PRT__R(1.00247066466748147447) * t16;
+    out[55] = y * t18;
+    out[57] = x * t18;
+    const prt_real t19 = PRT__R(2.00120156213902958958) * (z * t18) - PRT__R(1.00152855204404460325) * t17;
+    out[71] = y * t19;
+    out[73] = x * t19;
+    const prt_real t20 = PRT__R(2.000822875986267518) * (z * t19) - PRT__R(1.00101246624680610771) * t18;
+    out[89] = y * t20;
+    out[91] = x * t20;
+    const prt_real t21 = x * y;
+    const prt_real t22 = t21 + t21;
+    out[4] = PRT__R(0.546274215296039535272) * t22;
+    const prt_real t23 = (x + y) * (x - y);
+    out[8] = PRT__R(0.546274215296039535272) * t23;
+    const prt_real t24 = PRT__R(1.44530572132027702769) * z;
+    out[10] = t22 * t24;
+    out[14] = t23 * t24;
+    const prt_real t25 = PRT__R(3.27764529177623721163) * t1 - PRT__R(0.546274215296039535272);
+    out[18] = t22 * t25;
+    out[22] = t23 * t25;
+    const prt_real t26 = PRT__R(7.04063249082559160399) * t1 - PRT__R(2.6402371840595968515);
+    const prt_real t27 = z * t26;
+    out[28] = t22 * t27;
+    out[32] = t23 * t27;
+    const prt_real t28 = PRT__R(1.37233279507355082388) * t25 - PRT__R(1.19947203320611937035);
+    const prt_real t29 = t25 * t28 - PRT__R(0.511906752897826512122);
+    out[40] = t22 * t29;
+    out[44] = t23 * t29;
+    const prt_real t30 = PRT__R(2.06485074947180018626) * (z * t29) - PRT__R(1.00887444616012613957) * t27;
+    out[54] = t22 * t30;
+    out[58] = t23 * t30;
+    const prt_real t31 = PRT__R(2.047379529757827986) * (z * t30) - PRT__R(1.0065555134461126069) * t29;
+    out[70] = t22 * t31;
+    out[74] = t23 * t31;
+    const prt_real t32 = PRT__R(2.03608622627713160396) * (z * t31) - PRT__R(1.00494030387093691765) * t30;
+    out[88] = t22 * t32;
+    out[92] = t23 * t32;
+    const prt_real t33 = y * y;
+    const prt_real t34 = t23 + t33;
+    const prt_real t35 = y * (t23 + (t34 + t34));
+    out[9] = PRT__R(0.590043589926643510346) * t35;
+    const prt_real t36 = x * (t23 - (t33 + t33));
+    out[15] = PRT__R(0.590043589926643510346) * t36;
+    const prt_real t37 = PRT__R(1.77013076977993053104) * z;
+    out[17] = t35 * t37;
+    out[23] = t36 * t37;
+    const prt_real t38 = PRT__R(4.37968383934737954461) * t1 - PRT__R(0.547460479918422443076);
+    out[27] = t35 * t38;
+    out[33] = t36 * t38;
+    const prt_real t39 = PRT__R(10.0119715893477442193) * t1 - PRT__R(3.0035914768043232658);
+    const prt_real t40 = z * t39;
+    out[39] = t35 * t40;
+    out[45] = t36 * t40;
+    const prt_real t41 = PRT__R(1.14470177335741903992) * t38 - PRT__R(1.25335796441144373015);
+    const prt_real t42 = t38 * t41 - PRT__R(0.48031476689438621492);
+    out[53] = t35 * t42;
+    out[59] = t36 * t42;
+    const prt_real t43 = PRT__R(2.13960769627671528242) * (z * t42) - PRT__R(1.00550825192169375133) * t40;
+    out[69] = t35 * t43;
+    out[75] = t36 * t43;
+    const prt_real t44 = PRT__R(2.10577559828109434639) * (z * t43) - PRT__R(1.00569948140936029559) * t42;
+    out[87] = t35 * t44;
+    out[93] = t36 * t44;
+    const prt_real t45 = t23 * t22;
+    const prt_real t46 = t45 + t45;
+    out[16] = PRT__R(0.625835735449176134587) * t46;
+    const prt_real t47 = (t23 + t22) * (t23 - t22);
+    out[24] = PRT__R(0.625835735449176134587) * t47;
+    const prt_real t48 = PRT__R(2.075662314881041279) * z;
+    out[26] = t46 * t48;
+    out[34] = t47 * t48;
+    const prt_real t49 = PRT__R(5.53226317538874894011) * t1 - PRT__R(0.553226317538874894011);
+    out[38] = t46 * t49;
+    out[46] = t47 * t49;
+    const prt_real t50 = PRT__R(13.3876196648007832099) * t1 - PRT__R(3.34690491620019580249);
+    const prt_real t51 = z * t50;
+    out[52] = t46 * t51;
+    out[60] = t47 * t51;
+    const prt_real t52 = PRT__R(1.00325462178684816145) * t49 - PRT__R(1.26863282277713073229);
+    const prt_real t53 = t49 * t52 - PRT__R(0.460583198810398206878);
+    out[68] = t46 * t53;
+    out[76] = t47 * t53;
+    const prt_real t54 = PRT__R(2.21822946338610302856) * (z * t53) - PRT__R(0.999366056347041316611) * t51;
+    out[86] = t46 * t54;
+    out[94] = t47 * t54;
+    const prt_real t55 = y * t47 + x * t46;
+    out[25] = PRT__R(0.656382056840170102814) * t55;
+    const prt_real t56 = x * t47 - y * t46;
+    out[35] = PRT__R(0.656382056840170102814) * t56;
+    const prt_real t57 = PRT__R(2.36661916223175203199) * z;
+    out[37] = t55 * t57;
+    out[47] = t56 * t57;
+    const prt_real t58 = PRT__R(6.73131046101657472554) * t1 - PRT__R(0.560942538418047893795);
+    out[51] = t55 * t58;
+    out[61] = t56 * t58;
+    const prt_real t59 = PRT__R(17.1567982383278290323) * t1 - PRT__R(3.67645676535596336405);
+    const prt_real t60 = z * t59;
+    out[67] = t55 * t60;
+    out[77] = t56 * t60;
+    const prt_real t61 = PRT__R(0.906010318363799802197) * t58 - PRT__R(1.27054931953983393429);
+    const prt_real t62 = t58 * t61 - PRT__R(0.447986100878170112466);
+    out[85] = t55 * t62;
+    out[95] = t56 * t62;
+    const prt_real t63 = t36 * t35;
+    const prt_real t64 = t63 + t63;
+    out[36] = PRT__R(0.683184105191914321975) * t64;
+    const prt_real t65 = (t36 + t35) * (t36 - t35);
+    out[48] = PRT__R(0.683184105191914321975) * t65;
+    const prt_real t66 = PRT__R(2.64596066180190022197) * z;
+    out[50] = t64 * t66;
+    out[62] = t65 * t66;
+    const prt_real t67 = PRT__R(7.97265272468488541901) * t1 - PRT__R(0.569475194620348958501);
+    out[66] = t64 * t67;
+    out[78] = t65 * t67;
+    const prt_real t68 = PRT__R(21.3083359134333530585) * t1 - PRT__R(3.99531298376875369847);
+    const prt_real t69 = z * t68;
+    out[84] = t64 * t69;
+    out[96] = t65 * t69;
+    const prt_real t70 = y * t65 + x * t64;
+    out[49] = PRT__R(0.707162732524596178226) * t70;
+    const prt_real t71 = x * t65 - y * t64;
+    out[63] = PRT__R(0.707162732524596178226) * t71;
+    const prt_real t72 = PRT__R(2.91570664069931947548) * z;
+    out[65] = t70 * t72;
+    out[79] = t71 * t72;
+    const prt_real t73 = PRT__R(9.25266937297977981733) * t1 - PRT__R(0.578291835811236238583);
+    out[83] = t70 * t73;
+    out[97] = t71 * t73;
+    const prt_real t74 = t47 * t46;
+    const prt_real t75 = t74 + t74;
+    out[64] = PRT__R(0.72892666017482986887) * t75;
+    const prt_real t76 = (t47 + t46) * (t47 - t46);
+    out[80] = PRT__R(0.72892666017482986887) * t76;
+    const prt_real t77 = PRT__R(3.1773176489546974773) * z;
+    out[82] = t75 * t77;
+    out[98] = t76 * t77;
+    out[81] = PRT__R(0.74890095185318829655) * (y * t76 + x * t75);
+    out[99] = PRT__R(0.74890095185318829655) * (x * t76 - y * t75);
+}
+
+/* CH basis, 10 bands: 202 multiplications, 65 additions (48 can fuse), 100 stores */
+PRT__INLINE void prt__ch_eval_10_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out,
+    size_t stride, int first, int last) {
+    if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+    if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
+    const prt__vec t1 = z * z;
+    const prt__vec t2 = PRT__R(0.825888983611586872968) * t1 - PRT__R(0.412944491805793436484);
+    if (first <= 2 && 2 < last) prt__vec_store(out + 6 * stride, t2);
+    const prt__vec t3 = PRT__R(1.61906625351721666923) * t1 - PRT__R(1.21429969013791250192);
+    const prt__vec t4 = z * t3;
+    if (first <= 3 && 3 < last) prt__vec_store(out + 12 * stride, t4);
+    const prt__vec t5 = PRT__R(4.71662269588694702818) * t2 + PRT__R(9.62964972193617926528e-35);
+    const prt__vec t6 = t2 * t5 - PRT__R(0.402146687544551258061);
+    if (first <= 4 && 4 < last) prt__vec_store(out + 20 * stride, t6);
+    const prt__vec t7 = PRT__R(1.9941605714785482504) * (z * t6) - PRT__R(0.990626623845594065416) * t4;
+    if (first <= 5 && 5 < last) prt__vec_store(out + 30 * stride, t7);
+    const prt__vec t8 = PRT__R(1.99686765665245415552) * (z * t7) - PRT__R(0.995518686839271862673) * t6;
+    if (first <= 6 && 6 < last) prt__vec_store(out + 42 * stride, t8);
+    const prt__vec t9 = PRT__R(1.9981247065730924832) * (z * t8) - PRT__R(0.99749765012849593691) * t7;
+    if (first <= 7 && 7 < last) prt__vec_store(out + 56 * stride, t9);
+    const prt__vec t10 = PRT__R(1.99878824587482633945) * (z * t9) - PRT__R(0.998457044322595902884) * t8;
+    if (first <= 8 && 8 < last) prt__vec_store(out + 72 * stride, t10);
+    if (first <= 9 && 9 < last)
+        prt__vec_store(out + 90 * stride, PRT__R(1.9991716711179192974) * (z * t10) - PRT__R(0.998980209429107783872) * t9);
+    if (first <= 10 && 10 < last) prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
+    if (first <= 11 && 11 < last) prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
+    const prt__vec t11 = PRT__R(1.09254843059207907054) * z;
+    if (first <= 12 && 12 < last) prt__vec_store(out + 5 * stride, y * t11);
+    if (first <= 13 && 13 < last) prt__vec_store(out + 7 * stride, x * t11);
+    const prt__vec t12 = PRT__R(2.2251937260415151452) * t1 - PRT__R(0.556298431510378786299);
+    if (first <= 14 && 14 < last) prt__vec_store(out + 11 * stride, y * t12);
+    if (first <= 15 && 15 < last) prt__vec_store(out + 13 * stride, x * t12);
+    const prt__vec t13 = PRT__R(4.47811599108138469697) * t1 - PRT__R(2.23905799554069234849);
+    const prt__vec t14 = z * t13;
+    if (first <= 16 && 16 < last) prt__vec_store(out + 19 * stride, y * t14);
+    if (first <= 17 && 17 < last) prt__vec_store(out + 21 * stride, x * t14);
+    const prt__vec t15 = PRT__R(1.81395700920230242682) * t12 - PRT__R(1.00910143904649857838);
+    const prt__vec t16 = t12 * t15 - PRT__R(0.561361547776433262911);
+    if (first <= 18 && 18 < last) prt__vec_store(out + 29 * stride, y * t16);
+    if (first <= 19 && 19 < last) prt__vec_store(out + 31 * stride, x * t16);
+    const prt__vec t17 = PRT__R(2.00308404192443849618) * (z * t16) - PRT__R(1.00439949330516663946) * t14;
+    if (first <= 20 && 20 < last) prt__vec_store(out + 41 * stride, y * t17);
+    if (first <= 21 && 21 < last) prt__vec_store(out + 43 * stride, x * t17);
+    const prt__vec t18 = PRT__R(2.00185442784391621093) * (z * t17) - PRT__R(1.00247066466748147447) * t16;
+    if (first <= 22 && 22 < last) prt__vec_store(out + 55 * stride, y * t18);
+    if (first <= 23 && 23 < last) prt__vec_store(out + 57 * stride, x * t18);
+    const prt__vec t19 = PRT__R(2.00120156213902958958) * (z * t18) - PRT__R(1.00152855204404460325) * t17;
+    if (first <= 24 && 24 < last) prt__vec_store(out + 71 * stride, y * t19);
+    if (first <= 25 && 25 < last) prt__vec_store(out + 73 * stride, x * t19);
+    const prt__vec t20 = PRT__R(2.000822875986267518) * (z * t19) - PRT__R(1.00101246624680610771) * t18;
+    if (first <= 26 && 26 < last) prt__vec_store(out + 89 * stride, y * t20);
+    if (first <= 27 && 27 < last) prt__vec_store(out + 91 * stride, x * t20);
+    const prt__vec t21 = x * y;
+    const prt__vec t22 = t21 + t21;
+    if (first <= 28 && 28 < last) prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t22);
+    const prt__vec t23 = (x + y) * (x - y);
+    if (first <= 29 && 29 < last) prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t23);
+    const prt__vec t24 = PRT__R(1.44530572132027702769) * z;
+    if (first <= 30 && 30 < last) prt__vec_store(out + 10 * stride, t22 * t24);
+    if (first <= 31 && 31 < last) prt__vec_store(out + 14 * stride, t23 * t24);
+    const prt__vec t25 = PRT__R(3.27764529177623721163) * t1 - PRT__R(0.546274215296039535272);
+    if (first <= 32 && 32 < last) prt__vec_store(out + 18 * stride, t22 * t25);
+    if (first <= 33 && 33 < last) prt__vec_store(out + 22 * stride, t23 * t25);
+    const prt__vec t26 = PRT__R(7.04063249082559160399) * t1 - PRT__R(2.6402371840595968515);
+    const prt__vec t27 = z * t26;
+    if (first <= 34 && 34 < last) prt__vec_store(out + 28 * stride, t22 * t27);
+    if (first <= 35 && 35 < last) prt__vec_store(out + 32 * stride, t23 * t27);
+    const prt__vec t28 = PRT__R(1.37233279507355082388) * t25 - PRT__R(1.19947203320611937035);
+    const prt__vec t29 = t25 * t28 - PRT__R(0.511906752897826512122);
+    if (first <= 36 && 36 < last) prt__vec_store(out + 40 * stride, t22 * t29);
+    if (first <= 37 && 37 < last) prt__vec_store(out + 44 * stride, t23 * t29);
+    const prt__vec t30 = PRT__R(2.06485074947180018626) * (z * t29) - PRT__R(1.00887444616012613957) * t27;
+    if (first <= 38 && 38 < last) prt__vec_store(out + 54 * stride, t22 * t30);
+    if (first <= 39 && 39 < last) prt__vec_store(out + 58 * stride, t23 * t30);
+    const prt__vec t31 = PRT__R(2.047379529757827986) * (z * t30) - PRT__R(1.0065555134461126069) * t29;
+    if (first <= 40 && 40 < last) prt__vec_store(out + 70 * stride, t22 * t31);
+    if (first <= 41 && 41 < last) prt__vec_store(out + 74 * stride, t23 * t31);
+    const prt__vec t32 = PRT__R(2.03608622627713160396) * (z * t31) - PRT__R(1.00494030387093691765) * t30;
+    if (first <= 42 && 42 < last) prt__vec_store(out + 88 * stride, t22 * t32);
+    if (first <= 43 && 43 < last) prt__vec_store(out + 92 * stride, t23 * t32);
+    const prt__vec t33 = y * y;
+    const prt__vec t34 = t23 + t33;
+    const prt__vec t35 = y * (t23 + (t34 + t34));
+    if (first <= 44 && 44 < last) prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * t35);
+    const prt__vec t36 = x * (t23 - (t33 + t33));
+    if (first <= 45 && 45 < last) prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * t36);
+    const prt__vec t37 = PRT__R(1.77013076977993053104) * z;
+    if (first <= 46 && 46 < last) prt__vec_store(out + 17 * stride, t35 * t37);
+    if (first <= 47 && 47 < last) prt__vec_store(out + 23 * stride, t36 * t37);
+    const prt__vec t38 = PRT__R(4.37968383934737954461) * t1 - PRT__R(0.547460479918422443076);
+    if (first <= 48 && 48 < last) prt__vec_store(out + 27 * stride, t35 * t38);
+    if (first <= 49 && 49 < last) prt__vec_store(out + 33 * stride, t36 * t38);
+    const prt__vec t39 = PRT__R(10.0119715893477442193) * t1 - PRT__R(3.0035914768043232658);
+    const prt__vec t40 = z * t39;
+    if (first <= 50 && 50 < last) prt__vec_store(out + 39 * stride, t35 * t40);
+    if (first <= 51 && 51 < last) prt__vec_store(out + 45 * stride, t36 * t40);
+    const prt__vec t41 = PRT__R(1.14470177335741903992) * t38 - PRT__R(1.25335796441144373015);
+    const prt__vec t42 = t38 * t41 - PRT__R(0.48031476689438621492);
+    if (first <= 52 && 52 < last) prt__vec_store(out + 53 * stride, t35 * t42);
+    if (first <= 53 && 53 < last) prt__vec_store(out + 59 * stride, t36 * t42);
+    const prt__vec t43 = PRT__R(2.13960769627671528242) * (z * t42) - PRT__R(1.00550825192169375133) * t40;
+    if (first <= 54 && 54 < last) prt__vec_store(out + 69 * stride, t35 * t43);
+    if (first <= 55 && 55 < last) prt__vec_store(out + 75 * stride, t36 * t43);
+    const prt__vec t44 = PRT__R(2.10577559828109434639) * (z * t43) - PRT__R(1.00569948140936029559) * t42;
+    if (first <= 56 && 56 < last) prt__vec_store(out + 87 * stride, t35 * t44);
+    if (first <= 57 && 57 < last) prt__vec_store(out + 93 * stride, t36 * t44);
+    const prt__vec t45 = t23 * t22;
+    const prt__vec t46 = t45 + t45;
+    if (first <= 58 && 58 < last) prt__vec_store(out + 16 * stride, PRT__R(0.625835735449176134587) * t46);
+    const prt__vec t47 = (t23 + t22) * (t23 - t22);
+    if (first <= 59 && 59 < last) prt__vec_store(out + 24 * stride, PRT__R(0.625835735449176134587) * t47);
+    const prt__vec t48 = PRT__R(2.075662314881041279) * z;
+    if (first <= 60 && 60 < last) prt__vec_store(out + 26 * stride, t46 * t48);
+    if (first <= 61 && 61 < last) prt__vec_store(out + 34 * stride, t47 * t48);
+    const prt__vec t49 = PRT__R(5.53226317538874894011) * t1 - PRT__R(0.553226317538874894011);
+    if (first <= 62 && 62 < last) prt__vec_store(out + 38 * stride, t46 * t49);
+    if (first <= 63 && 63 < last) prt__vec_store(out + 46 * stride, t47 * t49);
+    const prt__vec t50 = PRT__R(13.3876196648007832099) * t1 - PRT__R(3.34690491620019580249);
+    const prt__vec t51 = z * t50;
+    if (first <= 64 && 64 < last) prt__vec_store(out + 52 * stride, t46 * t51);
+    if (first <= 65 && 65 < last) prt__vec_store(out + 60 * stride, t47 * t51);
+    const prt__vec t52 = PRT__R(1.00325462178684816145) * t49 - PRT__R(1.26863282277713073229);
+    const prt__vec t53 = t49 * t52 - PRT__R(0.460583198810398206878);
+    if (first <= 66 && 66 < last) prt__vec_store(out + 68 * stride, t46 * t53);
+    if (first <= 67 && 67 < last) prt__vec_store(out + 76 * stride, t47 * t53);
+    const prt__vec t54 = PRT__R(2.21822946338610302856) * (z * t53) - PRT__R(0.999366056347041316611) * t51;
+    if (first <= 68 && 68 < last) prt__vec_store(out + 86 * stride, t46 * t54);
+    if (first <= 69 && 69 < last) prt__vec_store(out + 94 * stride, t47 * t54);
+    const prt__vec t55 = y * t47 + x * t46;
+    if (first <= 70 && 70 < last) prt__vec_store(out + 25 * stride, PRT__R(0.656382056840170102814) * t55);
+    const prt__vec t56 = x * t47 - y * t46;
+    if (first <= 71 && 71 < last) prt__vec_store(out + 35 * stride, PRT__R(0.656382056840170102814) * t56);
+    const prt__vec t57 = PRT__R(2.36661916223175203199) * z;
+    if (first <= 72 && 72 < last) prt__vec_store(out + 37 * stride, t55 * t57);
+    if (first <= 73 && 73 < last) prt__vec_store(out + 47 * stride, t56 * t57);
+    const prt__vec t58 = PRT__R(6.73131046101657472554) * t1 - PRT__R(0.560942538418047893795);
+    if (first <= 74 && 74 < last) prt__vec_store(out + 51 * stride, t55 * t58);
+    if (first <= 75 && 75 < last) prt__vec_store(out + 61 * stride, t56 * t58);
+    const prt__vec t59 = PRT__R(17.1567982383278290323) * t1 - PRT__R(3.67645676535596336405);
+    const prt__vec t60 = z * t59;
+    if (first <= 76 && 76 < last) prt__vec_store(out + 67 * stride, t55 * t60);
+    if (first <= 77 && 77 < last) prt__vec_store(out + 77 * stride, t56 * t60);
+    const prt__vec t61 = PRT__R(0.906010318363799802197) * t58 - PRT__R(1.27054931953983393429);
+    const prt__vec t62 = t58 * t61 - PRT__R(0.447986100878170112466);
+    if (first <= 78 && 78 < last) prt__vec_store(out + 85 * stride, t55 * t62);
+    if (first <= 79 && 79 < last) prt__vec_store(out + 95 * stride, t56 * t62);
+    const prt__vec t63 = t36 * t35;
+    const prt__vec t64 = t63 + t63;
+    if (first <= 80 && 80 < last) prt__vec_store(out + 36 * stride, PRT__R(0.683184105191914321975) * t64);
+    const prt__vec t65 = (t36 + t35) * (t36 - t35);
+    if (first <= 81 && 81 < last) prt__vec_store(out + 48 * stride, PRT__R(0.683184105191914321975) * t65);
+    const prt__vec t66 = PRT__R(2.64596066180190022197) * z;
+    if (first <= 82 && 82 < last) prt__vec_store(out + 50 * stride, t64 * t66);
+    if (first <= 83 && 83 < last) prt__vec_store(out + 62 * stride, t65 * t66);
+    const prt__vec t67 = PRT__R(7.97265272468488541901) * t1 - PRT__R(0.569475194620348958501);
+    if (first <= 84 && 84 < last) prt__vec_store(out + 66 * stride, t64 * t67);
+    if (first <= 85 && 85 < last) prt__vec_store(out + 78 * stride, t65 * t67);
+    const prt__vec t68 = PRT__R(21.3083359134333530585) * t1 - PRT__R(3.99531298376875369847);
+    const prt__vec t69 = z * t68;
+    if (first <= 86 && 86 < last) prt__vec_store(out + 84 * stride, t64 * t69);
+    if (first <= 87 && 87 < last) prt__vec_store(out + 96 * stride, t65 * t69);
+    const prt__vec t70 = y * t65 + x * t64;
+    if (first <= 88 && 88 < last) prt__vec_store(out + 49 * stride, PRT__R(0.707162732524596178226) * t70);
+    const prt__vec t71 = x * t65 - y * t64;
+    if (first <= 89 && 89 < last) prt__vec_store(out + 63 * stride, PRT__R(0.707162732524596178226) * t71);
+    const prt__vec t72 = PRT__R(2.91570664069931947548) * z;
+    if (first <= 90 && 90 < last) prt__vec_store(out + 65 * stride, t70 * t72);
+    if (first <= 91 && 91 < last) prt__vec_store(out + 79 * stride, t71 * t72);
+    const prt__vec t73 = PRT__R(9.25266937297977981733) * t1 - PRT__R(0.578291835811236238583);
+    if (first <= 92 && 92 < last) prt__vec_store(out + 83 * stride, t70 * t73);
+    if (first <= 93 && 93 < last) prt__vec_store(out + 97 * stride, t71 * t73);
+    const prt__vec t74 = t47 * t46;
+    const prt__vec t75 = t74 + t74;
+    if (first <= 94 && 94 < last) prt__vec_store(out + 64 * stride, PRT__R(0.72892666017482986887) * t75);
+    const prt__vec t76 = (t47 + t46) * (t47 - t46);
+    if (first <= 95 && 95 < last) prt__vec_store(out + 80 * stride, PRT__R(0.72892666017482986887) * t76);
+    const prt__vec t77 = PRT__R(3.1773176489546974773) * z;
+    if (first <= 96 && 96 < last) prt__vec_store(out + 82 * stride, t75 * t77);
+    if (first <= 97 && 97 < last) prt__vec_store(out + 98 * stride, t76 * t77);
+    if (first <= 98 && 98 < last) prt__vec_store(out + 81 * stride, PRT__R(0.74890095185318829655) * (y * t76 + x * t75));
+    if (first <= 99 && 99 < last) prt__vec_store(out + 99 * stride, PRT__R(0.74890095185318829655) * (x * t76 - y * t75));
+}
+
+PRT__STATIC void prt__ch_eval_10_v(int vectors, const prt_real *x, const prt_real *y, const prt_real *z,
+    prt_real *PRT__RESTRICT out, size_t stride) {
+    int k;
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 0, 8);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 8, 16);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 16, 24);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 24, 32);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 32, 40);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 40, 48);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 48, 56);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 56, 64);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 64, 72);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 72, 80);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 80, 88);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 88, 96);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
+        prt__ch_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 96, 100);
+}
+
+/* CH value, 1 band: 1 multiplications, 0 additions (0 can fuse), 1 loads, 1 stores */
+PRT__STATIC void prt__ch_at_1(prt_real x, prt_real y, prt_real z, const prt_real *f, prt_real *PRT__RESTRICT out) {
+    (void)x;
+    (void)y;
+    (void)z;
+    out[0] = PRT__R(0.282094791773878143474) * f[0];
+}
+
+/* CH value, 2 bands: 7 multiplications, 3 additions (2 can fuse), 4 loads, 1 stores */
+PRT__STATIC void prt__ch_at_2(prt_real x, prt_real y, prt_real z, const prt_real *f, prt_real *PRT__RESTRICT out) {
+    const prt_real t1 = PRT__R(0.282094791773878143474) * f[0] + (PRT__R(0.488602511902919921586) * z) * f[2];
+    const prt_real t2 = y * (PRT__R(0.488602511902919921586) * f[1]) + x * (PRT__R(0.488602511902919921586) * f[3]);
+    out[0] = t1 + t2;
+}
+
+/* CH value, 3 bands: 19 multiplications, 12 additions (7 can fuse), 9 loads, 1 stores */
+PRT__STATIC void prt__ch_at_3(prt_real x, prt_real y, prt_real z, const prt_real *f, prt_real *PRT__RESTRICT out) {
+    const prt_real t1 = PRT__R(0.282094791773878143474) * f[0] + (PRT__R(0.488602511902919921586) * z) * f[2];
+    const prt_real t2 = PRT__R(0.825888983611586872968) * (z * z) - PRT__R(0.412944491805793436484);
+    const prt_real t3 = PRT__R(1.09254843059207907054) * z;
+    const prt_real t4 = y * (PRT__R(0.488602511902919921586) * f[1] + t3 * f[5]) + x * (PRT__R(0.488602511902919921586) * f[3] + t3 * f[7]);
+    const prt_real t5 = x * y;
+    const prt_real t6 = ((x + y) * (x - y)) * (PRT__R(0.546274215296039535272) * f[8]);
+    out[0] = ((t1 + t2 * f[6]) + t4) + ((t5 + t5) * (PRT__R(0.546274215296039535272) * f[4]) + t6);
+}
+
+/* CH value, 4 bands: 35 multiplications, 26 additions (15 can fuse), 16 loads, 1 stores */
+PRT__STATIC void prt__ch_at_4(prt_real x, prt_real y, prt_real z, const prt_real *f, prt_real *PRT__RESTRICT out) {
+    const prt_real t1 = PRT__R(0.282094791773878143474) * f[0] + (PRT__R(0.488602511902919921586) * z) * f[2];
+    const prt_real t2 = z * z;
+    const prt_real t3 = PRT__R(0.825888983611586872968) * t2 - PRT__R(0.412944491805793436484);
+    const prt_real t4 = PRT__R(1.61906625351721666923) * t2 - PRT__R(1.21429969013791250192);
+    const prt_real t5 = PRT__R(1.09254843059207907054) * z;
+    const prt_real t6 = PRT__R(2.2251937260415151452) * t2 - PRT__R(0.556298431510378786299);
+    const prt_real t7 = (PRT__R(0.488602511902919921586) * f[1] + t5 * f[5]) + t6 * f[11];
+    const prt_real t8 = (PRT__R(0.488602511902919921586) * f[3] + t5 * f[7]) + t6 * f[13];
+    const prt_real t9 = x * y;
+    const prt_real t10 = PRT__R(1.44530572132027702769) * z;
+    const prt_real t11 = (t9 + t9) * (PRT__R(0.546274215296039535272) * f[4] + t10 * f[10]);
+    const prt_real t12 = (x + y) * (x - y);
+    const prt_real t13 = t11 + t12 * (PRT__R(0.546274215296039535272) * f[8] + t10 * f[14]);
+    const prt_real t14 = (((t1 + t3 * f[6]) + (z * t4) * f[12]) + (y * t7 + x * t8)) + t13;
+    const prt_real t15 = y * y;
+    const prt_real t16 = t12 + t15;
+    const prt_real t17 = (y * (t12 + (t16 + t16))) * (PRT__R(0.590043589926643510346) * f[9]);
+    const prt_real t18 = (x * (t12 - (t15 + t15))) * (PRT__R(0.590043589926643510346) * f[15]);
+    out[0] = t14 + (t17 + t18);
+}
+
+/* CH value, 5 bands: 54 multiplications, 42 additions (27 can fuse), 25 loads, 1 stores */
+PRT__STATIC void prt__ch_at_5(prt_real x, prt_real y, prt_real z, const prt_real *f, prt_real *PRT__RESTRICT out) {
+    const prt_real t1 = PRT__R(0.282094791773878143474) * f[0] + (PRT__R(0.488602511902919921586) * z) * f[2];
+    const prt_real t2 = z * z;
+    const prt_real t3 = PRT__R(0.825888983611586872968) * t2 - PRT__R(0.412944491805793436484);
+    const prt_real t4 = PRT__R(1.61906625351721666923) * t2 - PRT__R(1.21429969013791250192);
+    const prt_real t5 = PRT__R(4.71662269588694702818) * t3 + PRT__R(9.62964972193617926528e-35);
+    const prt_real t6 = ((t1 + t3 * f[6]) + (z * t4) * f[12]) + (t3 * t5 - PRT__R(0.402146687544551258061)) * f[20];
+    const prt_real t7 = PRT__R(1.09254843059207907054) * z;
+    const prt_real t8 = PRT__R(2.2251937260415151452) * t2 - PRT__R(0.556298431510378786299);
+    const prt_real t9 = (PRT__R(0.488602511902919921586) * f[1] + t7 * f[5]) + t8 * f[11];
+    const prt_real t10 = PRT__R(4.47811599108138469697) * t2 - PRT__R(2.23905799554069234849);
+    const prt_real t11 = z * t10;
+    const prt_real t12 = (PRT__R(0.488602511902919921586) * f[3] + t7 * f[7]) + t8 * f[13];
+    const prt_real t13 = x * y;
+    const prt_real t14 = t13 + t13;
+    const prt_real t15 = PRT__R(1.44530572132027702769) * z;
+    const prt_real t16 = PRT__R(3.27764529177623721163) * t2 - PRT__R(0.546274215296039535272);
+    const prt_real t17 = (PRT__R(0.546274215296039535272) * f[4] + t15 * f[10]) + t16 * f[18];
+    const prt_real t18 = (x + y) * (x - y);
+    const prt_real t19 = (PRT__R(0.546274215296039535272) * f[8] + t15 * f[14]) + t16 * f[22];
+    const prt_real t20 = (t6 + (y * (t9 + t11 * f[19]) + x * (t12 + t11 * f[21]))) + (t14 * t17 + t18 * t19);
+    const prt_real t21 = y * y;
+    const prt_real t22 = t18 + t21;
+    const prt_real t23 = PRT__R(1.77013076977993053104) * z;
+    const prt_real t24 = (y * (t18 + (t22 + t22))) * (PRT__R(0.590043589926643510346) * f[9] + t23 * f[17]);
+    const prt_real t25 = (x * (t18 - (t21 + t21))) * (PRT__R(0.590043589926643510346) * f[15] + t23 * f[23]);
+    const prt_real t26 = t18 * t14;
+    const prt_real t27 = ((t18 + t14) * (t18 - t14)) * (PRT__R(0.625835735449176134587) * f[24]);
+    const prt_real t28 = (t26 + t26) * (PRT__R(0.625835735449176134587) * f[16]) + t27;
+    out[0] = (t20 + (t24 + t25)) + t28;
+}
+
+/* CH value, 6 bands: 80 multiplications, 60 additions (44 can fuse), 36 loads, 1 stores */
+PRT__STATIC void prt__ch_at_6(prt_real x, prt_real y, prt_real z, const prt_real *f, prt_real *PRT__RESTRICT out) {
+    const prt_real t1 = PRT__R(0.282094791773878143474) * f[0] + (PRT__R(0.488602511902919921586) * z) * f[2];
+    const prt_real t2 = z * z;
+    const prt_real t3 = PRT__R(0.825888983611586872968) * t2 - PRT__R(0.412944491805793436484);
+    const prt_real t4 = PRT__R(1.61906625351721666923) * t2 - PRT__R(1.21429969013791250192);
+    const prt_real t5 = z * t4;
+    const prt_real t6 = PRT__R(4.71662269588694702818) * t3 + PRT__R(9.62964972193617926528e-35);
+    const prt_real t7 = t3 * t6 - PRT__R(0.402146687544551258061);
+    const prt_real t8 = PRT__R(1.9941605714785482504) * (z * t7) - PRT__R(0.990626623845594065416) * t5;
+    const prt_real t9 = (((t1 + t3 * f[6]) + t5 * f[12]) + t7 * f[20]) + t8 * f[30];
+    const prt_real t10 = PRT__R(1.09254843059207907054) * z;
+    const prt_real t11 = PRT__R(2.2251937260415151452) * t2 - PRT__R(0.556298431510378786299);
+    const prt_real t12 = (PRT__R(0.488602511902919921586) * f[1] + t10 * f[5]) + t11 * f[11];
+    const prt_real t13 = PRT__R(4.47811599108138469697) * t2 - PRT__R(2.23905799554069234849);
+    const prt_real t14 = z * t13;
+    const prt_real t15 = PRT__R(1.81395700920230242682) * t11 - PRT__R(1.00910143904649857838);
+    const prt_real t16 = t11 * t15 - PRT__R(0.561361547776433262911);
+    const prt_real t17 = (PRT__R(0.488602511902919921586) * f[3] + t10 * f[7]) + t11 * f[13];
+    const prt_real t18 = y * ((t12 + t14 * f[19]) + t16 * f[29]) + x * ((t17 + t14 * f[21]) + t16 * f[31]);
+    const prt_real t19 = x * y;
+    const prt_real t20 = t19 + t19;
+    const prt_real t21 = PRT__R(1.44530572132027702769) * z;
+    const prt_real t22 = PRT__R(3.27764529177623721163) * t2 - PRT__R(0.546274215296039535272);
+    const prt_real t23 = (PRT__R(0.546274215296039535272) * f[4] + t21 * f[10]) + t22 * f[18];
+    const prt_real t24 = PRT__R(7.04063249082559160399) * t2 - PRT__R(2.6402371840595968515);
+    const prt_real t25 = z * t24;
+    const prt_real t26 = (x + y) * (x - y);
+    const prt_real t27 = (PRT__R(0.546274215296039535272) * f[8] + t21 * f[14]) + t22 * f[22];
+    const prt_real t28 = (t9 + t18) + (t20 * (t23 + t25 * f[28]) + t26 * (t27 + t25 * f[32]));
+    const prt_real t29 = y * y;
+    const prt_real t30 = t26 + t29;
+    const prt_real t31 = PRT__R(1.77013076977993053104) * z;
+    const prt_real t32 = PRT__R(4.37968383934737954461) * t2 - PRT__R(0.547460479918422443076);
+    const prt_real t33 = (PRT__R(0.590043589926643510346) * f[9] + t31 * f[17]) + t32 * f[27];
+    const prt_real t34 = (PRT__R(0.590043589926643510346) * f[15] + t31 * f[23]) + t32 * f[33];
+    const prt_real t35 = (y * (t26 + (t30 + t30))) * t33 + (x * (t26 - (t29 + t29))) * t34;
+    const prt_real t36 = t26 * t20;
+    const prt_real t37 = t36 + t36;
+    const prt_real t38 = PRT__R(2.075662314881041279) * z;
+    const prt_real t39 = t37 * (PRT__R(0.625835735449176134587) * f[16] + t38 * f[26]);
+    const prt_real t40 = (t26 + t20) * (t26 - t20);
+    const prt_real t41 = t40 * (PRT__R(0.625835735449176134587) * f[24] + t38 * f[34]);
+    const prt_real t42 = (y * t40 + x * t37) * (PRT__R(0.656382056840170102814) * f[25]);
+    const prt_real t43 = (x * t40 - y * t37) * (PRT__R(0.656382056840170102814) * f[35]);
+    out[0] = ((t28 + t35) + (t39 + t41)) + (t42 + t43);
+}
+
+/* CH value, 7 bands: 109 multiplications, 82 additions (62 can fuse), 49 loads, 1 stores */
+PRT__STATIC void prt__ch_at_7(prt_real x, prt_real y, prt_real z, const prt_real *f, prt_real *PRT__RESTRICT out) {
+    const prt_real t1 = PRT__R(0.282094791773878143474) * f[0] + (PRT__R(0.488602511902919921586) * z) * f[2];
+    const prt_real t2 = z * z;
+    const prt_real t3 = PRT__R(0.825888983611586872968) * t2 - PRT__R(0.412944491805793436484);
+    const prt_real t4 = PRT__R(1.61906625351721666923) * t2 - PRT__R(1.21429969013791250192);
+    const prt_real t5 = z * t4;
+    const prt_real t6 = PRT__R(4.71662269588694702818) * t3 + PRT__R(9.62964972193617926528e-35);
+    const prt_real t7 = t3 * t6 - PRT__R(0.402146687544551258061);
+    const prt_real t8 = PRT__R(1.9941605714785482504) * (z * t7) - PRT__R(0.990626623845594065416) * t5;
+    const prt_real t9 = (((t1 + t3 * f[6]) + t5 * f[12]) + t7 * f[20]) + t8 * f[30];
+    const prt_real t10 = PRT__R(1.99686765665245415552) * (z * t8) - PRT__R(0.995518686839271862673) * t7;
+    const prt_real t11 = PRT__R(1.09254843059207907054) * z;
+    const prt_real t12 = PRT__R(2.2251937260415151452) * t2 - PRT__R(0.556298431510378786299);
+    const prt_real t13 = (PRT__R(0.488602511902919921586) * f[1] + t11 * f[5]) + t12 * f[11];
+    const prt_real t14 = PRT__R(4.47811599108138469697) * t2 - PRT__R(2.23905799554069234849);
+    const prt_real t15 = z * t14;
+    const prt_real t16 = PRT__R(1.81395700920230242682) * t12 - PRT__R(1.00910143904649857838);
+    const prt_real t17 = t12 * t16 - PRT__R(0.561361547776433262911);
+    const prt_real t18 = PRT__R(2.00308404192443849618) * (z * t17) - PRT__R(1.00439949330516663946) * t15;
+    const prt_real t19 = (PRT__R(0.488602511902919921586) * f[3] + t11 * f[7]) + t12 * f[13];
+    const prt_real t20 = y * (((t13 + t15 * f[19]) + t17 * f[29]) + t18 * f[41]) + x * (((t19 + t15 * f[21]) + t17 * f[31]) + t18 * f[43]);
+    const prt_real t21 = x * y;
+    const prt_real t22 = t21 + t21;
+    const prt_real t23 = PRT__R(1.44530572132027702769) * z;
+    const prt_real t24 = PRT__R(3.27764529177623721163) * t2 - PRT__R(0.546274215296039535272);
+    const prt_real t25 = (PRT__R(0.546274215296039535272) * f[4] + t23 * f[10]) + t24 * f[18];
+    const prt_real t26 = PRT__R(7.04063249082559160399) * t2 - PRT__R(2.6402371840595968515);
+    const prt_real t27 = z * t26;
+    const prt_real t28 = PRT__R(1.37233279507355082388) * t24 - PRT__R(1.19947203320611937035);
+    const prt_real t29 = t24 * t28 - PRT__R(0.511906752897826512122);
+    const prt_real t30 = (x + y) * (x - y);
+    const prt_real t31 = (PRT__R(0.546274215296039535272) * f[8] + t23 * f[14]) + t24 * f[22];
+    const prt_real t32 = t22 * ((t25 + t27 * f[28]) + t29 * f[40]) + t30 * ((t31 + t27 * f[32]) + t29 * f[44]);
+    const prt_real t33 = y * y;
+    const prt_real t34 = t30 + t33;
+    const prt_real t35 = y * (t30 + (t34 + t34));
+    const prt_real t36 = PRT__R(1.77013076977993053104) * z;
+    const prt_real t37 = PRT__R(4.37968383934737954461) * t2 - PRT__R(0.547460479918422443076);
+    const prt_real t38 = (PRT__R(0.590043589926643510346) * f[9] + t36 * f[17]) + t37 * f[27];
+    const prt_real t39 = PRT__R(10.0119715893477442193) * t2 - PRT__R(3.0035914768043232658);
+    const prt_real t40 = z * t39;
+    const prt_real t41 = x * (t30 - (t33 + t33));
+    const prt_real t42 = (PRT__R(0.590043589926643510346) * f[15] + t36 * f[23]) + t37 * f[33];
+    const prt_real t43 = (((t9 + t10 * f[42]) + t20) + t32) + (t35 * (t38 + t40 * f[39]) + t41 * (t42 + t40 * f[45]));
+    const prt_real t44 = t30 * t22;
+    const prt_real t45 = t44 + t44;
+    const prt_real t46 = PRT__R(2.075662314881041279) * z;
+    const prt_real t47 = PRT__R(5.53226317538874894011) * t2 - PRT__R(0.553226317538874894011);
+    const prt_real t48 = (PRT__R(0.625835735449176134587) * f[16] + t46 * f[26]) + t47 * f[38];
+    const prt_real t49 = (t30 + t22) * (t30 - t22);
+    const prt_real t50 = (PRT__R(0.625835735449176134587) * f[24] + t46 * f[34]) + t47 * f[46];
+    const prt_real t51 = PRT__R(2.36661916223175203199) * z;
+    const prt_real t52 = (y * t49 + x * t45) * (PRT__R(0.656382056840170102814) * f[25] + t51 * f[37]);
+    const prt_real t53 = (x * t49 - y * t45) * (PRT__R(0.656382056840170102814) * f[35] + t51 * f[47]);
+    const prt_real t54 = t41 * t35;
+    const prt_real t55 = ((t41 + t35) * (t41 - t35)) * (PRT__R(0.683184105191914321975) * f[48]);
+    const prt_real t56 = (t54 + t54) * (PRT__R(0.683184105191914321975) * f[36]) + t55;
+    out[0] = ((t43 + (t45 * t48 + t49 * t50)) + (t52 + t53)) + t56;
+}
+
+/* CH value, 8 bands: 145 multiplications, 106 additions (85 can fuse), 64 loads, 1 stores */
+PRT__STATIC void prt__ch_at_8(prt_real x, prt_real y, prt_real z, const prt_real *f, prt_real *PRT__RESTRICT out) {
+    const prt_real t1 = PRT__R(0.282094791773878143474) * f[0] + (PRT__R(0.488602511902919921586) * z) * f[2];
+    const prt_real t2 = z * z;
+    const prt_real t3 = PRT__R(0.825888983611586872968) * t2 - PRT__R(0.412944491805793436484);
+    const prt_real t4 = PRT__R(1.61906625351721666923) * t2 - PRT__R(1.21429969013791250192);
+    const prt_real t5 = z * t4;
+    const prt_real t6 = PRT__R(4.71662269588694702818) * t3 + PRT__R(9.62964972193617926528e-35);
+    const prt_real t7 = t3 * t6 - PRT__R(0.402146687544551258061);
+    const prt_real t8 = PRT__R(1.9941605714785482504) * (z * t7) - PRT__R(0.990626623845594065416) * t5;
+    const prt_real t9 = (((t1 + t3 * f[6]) + t5 * f[12]) + t7 * f[20]) + t8 * f[30];
+    const prt_real t10 = PRT__R(1.99686765665245415552) * (z * t8) - PRT__R(0.995518686839271862673) * t7;
+    const prt_real t11 = PRT__R(1.9981247065730924832) * (z * t10) - PRT__R(0.99749765012849593691) * t8;
+    const prt_real t12 = PRT__R(1.09254843059207907054) * z;
+    const prt_real t13 = PRT__R(2.2251937260415151452) * t2 - PRT__R(0.556298431510378786299);
+    const prt_real t14 = (PRT__R(0.488602511902919921586) * f[1] + t12 * f[5]) + t13 * f[11];
+    const prt_real t15 = PRT__R(4.47811599108138469697) * t2 - PRT__R(2.23905799554069234849);
+    const prt_real t16 = z * t15;
+    const prt_real t17 = PRT__R(1.81395700920230242682) * t13 - PRT__R(1.00910143904649857838);
+    const prt_real t18 = t13 * t17 - PRT__R(0.561361547776433262911);
+    const prt_real t19 = PRT__R(2.00308404192443849618) * (z * t18) - PRT__R(1.00439949330516663946) * t16;
+    const prt_real t20 = PRT__R(2.00185442784391621093) * (z * t19) - PRT__R(1.00247066466748147447) * t18;
+    const prt_real t21 = (((t14 + t16 * f[19]) + t18 * f[29]) + t19 * f[41]) + t20 * f[55];
+    const prt_real t22 = (PRT__R(0.488602511902919921586) * f[3] + t12 * f[7]) + t13 * f[13];
+    const prt_real t23 = (((t22 + t16 * f[21]) + t18 * f[31]) + t19 * f[43]) + t20 * f[57];
+    const prt_real t24 = x * y;
+    const prt_real t25 = t24 + t24;
+    const prt_real t26 = PRT__R(1.44530572132027702769) * z;
+    const prt_real t27 = PRT__R(3.27764529177623721163) * t2 - PRT__R(0.546274215296039535272);
+    const prt_real t28 = (PRT__R(0.546274215296039535272) * f[4] + t26 * f[10]) + t27 * f[18];
+    const prt_real t29 = PRT__R(7.04063249082559160399) * t2 - PRT__R(2.6402371840595968515);
+    const prt_real t30 = z * t29;
+    const prt_real t31 = PRT__R(1.37233279507355082388) * t27 - PRT__R(1.19947203320611937035);
+    const prt_real t32 = t27 * t31 - PRT__R(0.511906752897826512122);
+    const prt_real t33 = PRT__R(2.06485074947180018626) * (z * t32) - PRT__R(1.00887444616012613957) * t30;
+    const prt_real t34 = (x + y) * (x - y);
+    const prt_real t35 = (PRT__R(0.546274215296039535272) * f[8] + t26 * f[14]) + t27 * f[22];
+    const prt_real t36 = t25 * (((t28 + t30 * f[28]) + t32 * f[40]) + t33 * f[54]) + t34 * (((t35 + t30 * f[32]) + t32 * f[44]) + t33 * f[58]);
+    const prt_real t37 = (((t9 + t10 * f[42]) + t11 * f[56]) + (y * t21 + x * t23)) + t36;
+    const prt_real t38 = y * y;
+    const prt_real t39 = t34 + t38;
+    const prt_real t40 = y * (t34 + (t39 + t39));
+    const prt_real t41 = PRT__R(1.77013076977993053104) * z;
+    const prt_real t42 = PRT__R(4.37968383934737954461) * t2 - PRT__R(0.547460479918422443076);
+    const prt_real t43 = (PRT__R(0.590043589926643510346) * f[9] + t41 * f[17]) + t42 * f[27];
+    const prt_real t44 = PRT__R(10.0119715893477442193) * t2 - PRT__R(3.0035914768043232658);
+    const prt_real t45 = z * t44;
+    const prt_real t46 = PRT__R(1.14470177335741903992) * t42 - PRT__R(1.25335796441144373015);
+    const prt_real t47 = t42 * t46 - PRT__R(0.48031476689438621492);
+    const prt_real t48 = x * (t34 - (t38 + t38));
+    const prt_real t49 = (PRT__R(0.590043589926643510346) * f[15] + t41 * f[23]) + t42 * f[33];
+    const prt_real t50 = t40 * ((t43 + t45 * f[39]) + t47 * f[53]) + t48 * ((t49 + t45 * f[45]) + t47 * f[59]);
+    const prt_real t51 = t34 * t25;
+    const prt_real t52 = t51 + t51;
+    const prt_real t53 = PRT__R(2.075662314881041279) * z;
+    const prt_real t54 = PRT__R(5.53226317538874894011) * t2 - PRT__R(0.553226317538874894011);
+    const prt_real t55 = (PRT__R(0.625835735449176134587) * f[16] + t53 * f[26]) + t54 * f[38];
+    const prt_real t56 = PRT__R(13.3876196648007832099) * t2 - PRT__R(3.34690491620019580249);
+    const prt_real t57 = z * t56;
+    const prt_real t58 = (t34 + t25) * (t34 - t25);
+    const prt_real t59 = (PRT__R(0.625835735449176134587) * f[24] + t53 * f[34]) + t54 * f[46];
+    const prt_real t60 = (t37 + t50) + (t52 * (t55 + t57 * f[52]) + t58 * (t59 + t57 * f[60]));
+    const prt_real t61 = PRT__R(2.36661916223175203199) * z;
+    const prt_real t62 = PRT__R(6.73131046101657472554) * t2 - PRT__R(0.560942538418047893795);
+    const prt_real t63 = (PRT__R(0.656382056840170102814) * f[25] + t61 * f[37]) + t62 * f[51];
+    const prt_real t64 = (PRT__R(0.656382056840170102814) * f[35] + t61 * f[47]) + t62 * f[61];
+    const prt_real t65 = t60 + ((y * t58 + x * t52) * t63 + (x * t58 - y * t52) * t64);
+    const prt_real t66 = t48 * t40;
+    const prt_real t67 = t66 + t66;
+    const prt_real t68 = PRT__R(2.64596066180190022197) * z;
+    const prt_real t69 = t67 * (PRT__R(0.683184105191914321975) * f[36] + t68 * f[50]);
+    const prt_real t70 = (t48 + t40) * (t48 - t40);
+    const prt_real t71 = t70 * (PRT__R(0.683184105191914321975) * f[48] + t68 * f[62]);
+    const prt_real t72 = (y * t70 + x * t67) * (PRT__R(0.707162732524596178226) * f[49]);
+    const prt_real t73 = (x * t70 - y * t67) * (PRT__R(0.707162732524596178226) * f[63]);
+    out[0] = (t65 + (t69 + t71)) + (t72 + t73);
+}
+
+/* CH value, 9 bands: 184 multiplications, 134 additions (109 can fuse), 81 loads, 1 stores */
+PRT__STATIC void prt__ch_at_9(prt_real x, prt_real y, prt_real z, const prt_real *f, prt_real *PRT__RESTRICT out) {
+    const prt_real t1 = PRT__R(0.282094791773878143474) * f[0] + (PRT__R(0.488602511902919921586) * z) * f[2];
+    const prt_real t2 = z * z;
+    const prt_real t3 = PRT__R(0.825888983611586872968) * t2 - PRT__R(0.412944491805793436484);
+    const prt_real t4 = PRT__R(1.61906625351721666923) * t2 - PRT__R(1.21429969013791250192);
+    const prt_real t5 = z * t4;
+    const prt_real t6 = PRT__R(4.71662269588694702818) * t3 + PRT__R(9.62964972193617926528e-35);
+    const prt_real t7 = t3 * t6 - PRT__R(0.402146687544551258061);
+    const prt_real t8 = PRT__R(1.9941605714785482504) * (z * t7) - PRT__R(0.990626623845594065416) * t5;
+    const prt_real t9 = (((t1 + t3 * f[6]) + t5 * f[12]) + t7 * f[20]) + t8 * f[30];
+    const prt_real t10 = PRT__R(1.99686765665245415552) * (z * t8) - PRT__R(0.995518686839271862673) * t7;
+    const prt_real t11 = PRT__R(1.9981247065730924832) * (z * t10) - PRT__R(0.99749765012849593691) * t8;
+    const prt_real t12 = PRT__R(1.99878824587482633945) * (z * t11) - PRT__R(0.998457044322595902884) * t10;
+    const prt_real t13 = PRT__R(1.09254843059207907054) * z;
+    const prt_real t14 = PRT__R(2.2251937260415151452) * t2 - PRT__R(0.556298431510378786299);
+    const prt_real t15 = (PRT__R(0.488602511902919921586) * f[1] + t13 * f[5]) + t14 * f[11];
+    const prt_real t16 = PRT__R(4.47811599108138469697) * t2 - PRT__R(2.23905799554069234849);
+    const prt_real t17 = z * t16;
+    const prt_real t18 = PRT__R(1.81395700920230242682) * t14 - PRT__R(1.00910143904649857838);
+    const prt_real t19 = t14 * t18 - PRT__R(0.561361547776433262911);
+    const prt_real t20 = PRT__R(2.00308404192443849618) * (z * t19) - PRT__R(1.00439949330516663946) * t17;
+    const prt_real t21 = PRT__R(2.00185442784391621093) * (z * t20) - PRT__R(1.00247066466748147447) * t19;
+    const prt_real t22 = (((t15 + t17 * f[19]) + t19 * f[29]) + t20 * f[41]) + t21 * f[55];
+    const prt_real t23 = PRT__R(2.00120156213902958958) * (z * t21) - PRT__R(1.00152855204404460325) * t20;
+    const prt_real t24 = (PRT__R(0.488602511902919921586) * f[3] + t13 * f[7]) + t14 * f[13];
+    const prt_real t25 = (((t24 + t17 * f[21]) + t19 * f[31]) + t20 * f[43]) + t21 * f[57];
+    const prt_real t26 = (((t9 + t10 * f[42]) + t11 * f[56]) + t12 * f[72]) + (y * (t22 + t23 * f[71]) + x * (t25 + t23 * f[73]));
+    const prt_real t27 = x * y;
+    const prt_real t28 = t27 + t27;
+    const prt_real t29 = PRT__R(1.44530572132027702769) * z;
+    const prt_real t30 = PRT__R(3.27764529177623721163) * t2 - PRT__R(0.546274215296039535272);
+    const prt_real t31 = (PRT__R(0.546274215296039535272) * f[4] + t29 * f[10]) + t30 * f[18];
+    const prt_real t32 = PRT__R(7.04063249082559160399) * t2 - PRT__R(2.6402371840595968515);
+    const prt_real t33 = z * t32;
+    const prt_real t34 = PRT__R(1.37233279507355082388) * t30 - PRT__R(1.19947203320611937035);
+    const prt_real t35 = t30 * t34 - PRT__R(0.511906752897826512122);
+    const prt_real t36 = PRT__R(2.06485074947180018626) * (z * t35) - PRT__R(1.00887444616012613957) * t33;
+    const prt_real t37 = PRT__R(2.047379529757827986) * (z * t36) - PRT__R(1.0065555134461126069) * t35;
+    const prt_real t38 = (((t31 + t33 * f[28]) + t35 * f[40]) + t36 * f[54]) + t37 * f[70];
+    const prt_real t39 = (x + y) * (x - y);
+    const prt_real t40 = (PRT__R(0.546274215296039535272) * f[8] + t29 * f[14]) + t30 * f[22];
+    const prt_real t41 = (((t40 + t33 * f[32]) + t35 * f[44]) + t36 * f[58]) + t37 * f[74];
+    const prt_real t42 = y * y;
+    const prt_real t43 = t39 + t42;
+    const prt_real t44 = y * (t39 + (t43 + t43));
+    const prt_real t45 = PRT__R(1.77013076977993053104) * z;
+    const prt_real t46 = PRT__R(4.37968383934737954461) * t2 - PRT__R(0.547460479918422443076);
+    const prt_real t47 = (PRT__R(0.590043589926643510346) * f[9] + t45 * f[17]) + t46 * f[27];
+    const prt_real t48 = PRT__R(10.0119715893477442193) * t2 - PRT__R(3.0035914768043232658);
+    const prt_real t49 = z * t48;
+    const prt_real t50 = PRT__R(1.14470177335741903992) * t46 - PRT__R(1.25335796441144373015);
+    const prt_real t51 = t46 * t50 - PRT__R(0.48031476689438621492);
+    const prt_real t52 = PRT__R(2.13960769627671528242) * (z * t51) - PRT__R(1.00550825192169375133) * t49;
+    const prt_real t53 = x * (t39 - (t42 + t42));
+    const prt_real t54 = (PRT__R(0.590043589926643510346) * f[15] + t45 * f[23]) + t46 * f[33];
+    const prt_real t55 = t44 * (((t47 + t49 * f[39]) + t51 * f[53]) + t52 * f[69]) + t53 * (((t54 + t49 * f[45]) + t51 * f[59]) + t52 * f[75]);
+    const prt_real t56 = t39 * t28;
+    const prt_real t57 = t56 + t56;
+    const prt_real t58 = PRT__R(2.075662314881041279) * z;
+    const prt_real t59 = PRT__R(5.53226317538874894011) * t2 - PRT__R(0.553226317538874894011);
+    const prt_real t60 = (PRT__R(0.625835735449176134587) * f[16] + t58 * f[26]) + t59 * f[38];
+    const prt_real t61 = PRT__R(13.3876196648007832099) * t2 - PRT__R(3.34690491620019580249);
+    const prt_real t62 = z * t61;
+    const prt_real t63 = PRT__R(1.00325462178684816145) * t59 - PRT__R(1.26863282277713073229);
+    const prt_real t64 = t59 * t63 - PRT__R(0.460583198810398206878);
+    const prt_real t65 = (t39 + t28) * (t39 - t28);
+    const prt_real t66 = (PRT__R(0.625835735449176134587) * f[24] + t58 * f[34]) + t59 * f[46];
+    const prt_real t67 = t57 * ((t60 + t62 * f[52]) + t64 * f[68]) + t65 * ((t66 + t62 * f[60]) + t64 * f[76]);
+    const prt_real t68 = PRT__R(2.36661916223175203199) * z;
+    const prt_real t69 = PRT__R(6.73131046101657472554) * t2 - PRT__R(0.560942538418047893795);
+    const prt_real t70 = (PRT__R(0.656382056840170102814) * f[25] + t68 * f[37]) + t69 * f[51];
+    const prt_real t71 = PRT__R(17.1567982383278290323) * t2 - PRT__R(3.67645676535596336405);
+    const prt_real t72 = z * t71;
+    const prt_real t73 = (PRT__R(0.656382056840170102814) * f[35] + t68 * f[47]) + t69 * f[61];
+    const prt_real t74 = (y * t65 + x * t57) * (t70 + t72 * f[67]) + (x * t65 - y * t57) * (t73 + t72 * f[77]);
+    const prt_real t75 = t53 * t44;
+    const prt_real t76 = t75 + t75;
+    const prt_real t77 = PRT__R(2.64596066180190022197) * z;
+    const prt_real t78 = PRT__R(7.97265272468488541901) * t2 - PRT__R(0.569475194620348958501);
+    const prt_real t79 = (PRT__R(0.683184105191914321975) * f[36] + t77 * f[50]) + t78 * f[66];
+    const prt_real t80 = (t53 + t44) * (t53 - t44);
+    const prt_real t81 = (PRT__R(0.683184105191914321975) * f[48] + t77 * f[62]) + t78 * f[78];
+    const prt_real t82 = ((((t26 + (t28 * t38 + t39 * t41)) + t55) + t67) + t74) + (t76 * t79 + t80 * t81);
+    const prt_real t83 = PRT__R(2.91570664069931947548) * z;
+    const prt_real t84 = (y * t80 + x * t76) * (PRT__R(0.707162732524596178226) * f[49] + t83 * f[65]);
+    const prt_real t85 = (x * t80 - y * t76) * (PRT__R(0.707162732524596178226) * f[63] + t83 * f[79]);
+    const prt_real t86 = t65 * t57;
+    const prt_real t87 = ((t65 + t57) * (t65 - t57)) * (PRT__R(0.72892666017482986887) * f[80]);
+    const prt_real t88 = (t86 + t86) * (PRT__R(0.72892666017482986887) * f[64]) + t87;
+    out[0] = (t82 + (t84 + t85)) + t88;
+}
+
+/* CH value, 10 bands: 230 multiplications, 164 additions (138 can fuse), 100 loads, 1 stores */
+PRT__STATIC void prt__ch_at_10(prt_real x, prt_real y, prt_real z, const prt_real *f, prt_real *PRT__RESTRICT out) {
+    const prt_real t1 = PRT__R(0.282094791773878143474) * f[0] + (PRT__R(0.488602511902919921586) * z) * f[2];
+    const prt_real t2 = z * z;
+    const prt_real t3 = PRT__R(0.825888983611586872968) * t2 - PRT__R(0.412944491805793436484);
+    const prt_real t4 = PRT__R(1.61906625351721666923) * t2 - PRT__R(1.21429969013791250192);
+    const prt_real t5 = z * t4;
+    const prt_real t6 = PRT__R(4.71662269588694702818) * t3 + PRT__R(9.62964972193617926528e-35);
+    const prt_real t7 = t3 * t6 - PRT__R(0.402146687544551258061);
+    const prt_real t8 = PRT__R(1.9941605714785482504) * (z * t7) - PRT__R(0.990626623845594065416) * t5;
+    const prt_real t9 = (((t1 + t3 * f[6]) + t5 * f[12]) + t7 * f[20]) + t8 * f[30];
+    const prt_real t10 = PRT__R(1.99686765665245415552) * (z * t8) - PRT__R(0.995518686839271862673) * t7;
+    const prt_real t11 = PRT__R(1.9981247065730924832) * (z * t10) - PRT__R(0.99749765012849593691) * t8;
+    const prt_real t12 = PRT__R(1.99878824587482633945) * (z * t11) - PRT__R(0.998457044322595902884) * t10;
+    const prt_real t13 = PRT__R(1.9991716711179192974) * (z * t12) - PRT__R(0.998980209429107783872) * t11;
+    const prt_real t14 = (((t9 + t10 * f[42]) + t11 * f[56]) + t12 * f[72]) + t13 * f[90];
+    const prt_real t15 = PRT__R(1.09254843059207907054) * z;
+    const prt_real t16 = PRT__R(2.2251937260415151452) * t2 - PRT__R(0.556298431510378786299);
+    const prt_real t17 = (PRT__R(0.488602511902919921586) * f[1] + t15 * f[5]) + t16 * f[11];
+    const prt_real t18 = PRT__R(4.47811599108138469697) * t2 - PRT__R(2.23905799554069234849);
+    const prt_real t19 = z * t18;
+    const prt_real t20 = PRT__R(1.81395700920230242682) * t16 - PRT__R(1.00910143904649857838);
+    const prt_real t21 = t16 * t20 - PRT__R(0.561361547776433262911);
+    const prt_real t22 = PRT__R(2.00308404192443849618) * (z * t21) - PRT__R(1.00439949330516663946) * t19;
+    const prt_real t23 = PRT__R(2.00185442784391621093) * (z * t22) - PRT__R(1.00247066466748147447) * t21;
+    const prt_real t24 = (((t17 + t19 * f[19]) + t21 * f[29]) + t22 * f[41]) + t23 * f[55];
+    const prt_real t25 = PRT__R(2.00120156213902958958) * (z * t23) - PRT__R(1.00152855204404460325) * t22;
+    const prt_real t26 = PRT__R(2.000822875986267518) * (z * t25) - PRT__R(1.00101246624680610771) * t23;
+    const prt_real t27 = (PRT__R(0.488602511902919921586) * f[3] + t15 * f[7]) + t16 * f[13];
+    const prt_real t28 = (((t27 + t19 * f[21]) + t21 * f[31]) + t22 * f[43]) + t23 * f[57];
+    const prt_real t29 = y * ((t24 + t25 * f[71]) + t26 * f[89]) + x * ((t28 + t25 * f[73]) + t26 * f[91]);
+    const prt_real t30 = x * y;
+    const prt_real t31 = t30 + t30;
+    const prt_real t32 = PRT__R(1.44530572132027702769) * z;
+    const prt_real t33 = PRT__R(3.27764529177623721163) * t2 - PRT__R(0.546274215296039535272);
+    const prt_real t34 = (PRT__R(0.546274215296039535272) * f[4] + t32 * f[10]) + t33 * f[18];
+    const prt_real t35 = PRT__R(7.04063249082559160399) * t2 - PRT__R(2.6402371840595968515);
+    const prt_real t36 = z * t35;
+    const prt_real t37 = PRT__R(1.37233279507355082388) * t33 - PRT__R(1.19947203320611937035);
+    const prt_real t38 = t33 * t37 - PRT__R(0.511906752897826512122);
+    const prt_real t39 = PRT__R(2.06485074947180018626) * (z * t38) - PRT__R(1.00887444616012613957) * t36;
+    const prt_real t40 = PRT__R(2.047379529757827986) * (z * t39) - PRT__R(1.0065555134461126069) * t38;
+    const prt_real t41 = (((t34 + t36 * f[28]) + t38 * f[40]) + t39 * f[54]) + t40 * f[70];
+    const prt_real t42 = PRT__R(2.03608622627713160396) * (z * t40) - PRT__R(1.00494030387093691765) * t39;
+    const prt_real t43 = (x + y) * (x - y);
+    const prt_real t44 = (PRT__R(0.546274215296039535272) * f[8] + t32 * f[14]) + t33 * f[22];
+    const prt_real t45 = (((t44 + t36 * f[32]) + t38 * f[44]) + t39 * f[58]) + t40 * f[74];
+    const prt_real t46 = (t14 + t29) + (t31 * (t41 + t42 * f[88]) + t43 * (t45 + t42 * f[92]));
+    const prt_real t47 = y * y;
+    const prt_real t48 = t43 + t47;
+    const prt_real t49 = y * (t43 + (t48 + t48));
+    const prt_real t50 = PRT__R(1.77013076977993053104) * z;
+    const prt_real t51 = PRT__R(4.37968383934737954461) * t2 - PRT__R(0.547460479918422443076);
+    const prt_real t52 = (PRT__R(0.590043589926643510346) * f[9] + t50 * f[17]) + t51 * f[27];
+    const prt_real t53 = PRT__R(10.0119715893477442193) * t2 - PRT__R(3.0035914768043232658);
+    const prt_real t54 = z * t53;
+    const prt_real t55 = PRT__R(1.14470177335741903992) * t51 - PRT__R(1.25335796441144373015);
+    const prt_real t56 = t51 * t55 - PRT__R(0.48031476689438621492);
+    const prt_real t57 = PRT__R(2.13960769627671528242) * (z * t56) - PRT__R(1.00550825192169375133) * t54;
+    const prt_real t58 = PRT__R(2.10577559828109434639) * (z * t57) - PRT__R(1.00569948140936029559) * t56;
+    const prt_real t59 = (((t52 + t54 * f[39]) + t56 * f[53]) + t57 * f[69]) + t58 * f[87];
+    const prt_real t60 = x * (t43 - (t47 + t47));
+    const prt_real t61 = (PRT__R(0.590043589926643510346) * f[15] + t50 * f[23]) + t51 * f[33];
+    const prt_real t62 = (((t61 + t54 * f[45]) + t56 * f[59]) + t57 * f[75]) + t58 * f[93];
+    const prt_real t63 = t43 * t31;
+    const prt_real t64 = t63 + t63;
+    const prt_real t65 = PRT__R(2.075662314881041279) * z;
+    const prt_real t66 = PRT__R(5.53226317538874894011) * t2 - PRT__R(0.553226317538874894011);
+    const prt_real t67 = (PRT__R(0.625835735449176134587) * f[16] + t65 * f[26]) + t66 * f[38];
+    const prt_real t68 = PRT__R(13.3876196648007832099) * t2 - PRT__R(3.34690491620019580249);
+    const prt_real t69 = z * t68;
+    const prt_real t70 = PRT__R(1.00325462178684816145) * t66 - PRT__R(1.26863282277713073229);
+    const prt_real t71 = t66 * t70 - PRT__R(0.460583198810398206878);
+    const prt_real t72 = PRT__R(2.21822946338610302856) * (z * t71) - PRT__R(0.999366056347041316611) * t69;
+    const prt_real t73 = (t43 + t31) * (t43 - t31);
+    const prt_real t74 = (PRT__R(0.625835735449176134587) * f[24] + t65 * f[34]) + t66 * f[46];
+    const prt_real t75 = t64 * (((t67 + t69 * f[52]) + t71 * f[68]) + t72 * f[86]) + t73 * (((t74 + t69 * f[60]) + t71 * f[76]) + t72 * f[94]);
+    const prt_real t76 = PRT__R(2.36661916223175203199) * z;
+    const prt_real t77 = PRT__R(6.73131046101657472554) * t2 - PRT__R(0.560942538418047893795);
+    const prt_real t78 = (PRT__R(0.656382056840170102814) * f[25] + t76 * f[37]) + t77 * f[51];
+    const prt_real t79 = PRT__R(17.1567982383278290323) * t2 - PRT__R(3.67645676535596336405);
+    const prt_real t80 = z * t79;
+    const prt_real t81 = PRT__R(0.906010318363799802197) * t77 - PRT__R(1.27054931953983393429);
+    const prt_real t82 = t77 * t81 - PRT__R(0.447986100878170112466);
+    const prt_real t83 = (PRT__R(0.656382056840170102814) * f[35] + t76 * f[47]) + t77 * f[61];
+    const prt_real t84 = (y * t73 + x * t64) * ((t78 + t80 * f[67]) + t82 * f[85]) + (x * t73 - y * t64) * ((t83 + t80 * f[77]) + t82 * f[95]);
+    const prt_real t85 = t60 * t49;
+    const prt_real t86 = t85 + t85;
+    const prt_real t87 = PRT__R(2.64596066180190022197) * z;
+    const prt_real t88 = PRT__R(7.97265272468488541901) * t2 - PRT__R(0.569475194620348958501);
+    const prt_real t89 = (PRT__R(0.683184105191914321975) * f[36] + t87 * f[50]) + t88 * f[66];
+    const prt_real t90 = PRT__R(21.3083359134333530585) * t2 - PRT__R(3.99531298376875369847);
+    const prt_real t91 = z * t90;
+    const prt_real t92 = (t60 + t49) * (t60 - t49);
+    const prt_real t93 = (PRT__R(0.683184105191914321975) * f[48] + t87 * f[62]) + t88 * f[78];
+    const prt_real t94 = (((t46 + (t49 * t59 + t60 * t62)) + t75) + t84) + (t86 * (t89 + t91 * f[84]) + t92 * (t93 + t91 * f[96]));
+    const prt_real t95 = PRT__R(2.91570664069931947548) * z;
+    const prt_real t96 = PRT__R(9.25266937297977981733) * t2 - PRT__R(0.578291835811236238583);
     const prt_real t97 = (PRT__R(0.707162732524596178226) * f[49] + t95 * f[65]) + t96 * f[83];
     const prt_real t98 = (PRT__R(0.707162732524596178226) * f[63] + t95 * f[79]) + t96 * f[97];
     const prt_real t99 = t94 + ((y * t92 + x * t86) * t97 + (x * t92 - y * t86) * t98);

@@ -1,37 +1,38 @@
-/* Kernels of the room >>sh. */
+/* Kernels of the room >>sh, and of any basis of the same form. */
 #include "kernels.h"
 
 #include <stdio.h>
 
-/* Normalised recurrence factors: p(l,m) = a z p(l-1,m) - a b p(l-2,m) [Sloan 2013] */
-static xreal factor_a(int l, int m) { return x_sqrt(x_ratio(4L * l * l - 1, (long)l * l - (long)m * m)); }
-static xreal factor_b(int l, int m) {
+/* Normalised recurrence factors: p(l,m) = a z p(l-1,m) - c p(l-2,m) [Sloan 2013] */
+xreal sh_factor_a(int l, int m) { return x_sqrt(x_ratio(4L * l * l - 1, (long)l * l - (long)m * m)); }
+static xreal sh_factor_c(int l, int m) {
     long k = l - 1;
-    return x_sqrt(x_ratio(k * k - (long)m * m, 4 * k * k - 1));
+    return sh_factor_a(l, m) * x_sqrt(x_ratio(k * k - (long)m * m, 4 * k * k - 1));
 }
+
+static const basis sh = { "sh", "SH", sh_factor_a, sh_factor_c };
 
 /* p(l,m) for l = m ... bands-1. What bounds a kernel is its products, so the bands next to the diagonal are written with
    fewer than the recurrence needs: u = p(m+2,m) and p(m+3,m)/z are linear in z^2, p(m+4,m) is quadratic in u (in u rather
    than in z^2 its terms cancel little: their sizes add up to 2.9 at m = 0, against 8.5). From there on the recurrence,
    whose error does not grow as that of long polynomials does. */
-static void column(kernel *k, int bands, int m, node z, node z2, xreal sector, node *p) {
+static void column(kernel *k, const basis *b, int bands, int m, node z, node z2, xreal sector, node *p) {
     int l;
-    xreal a1 = factor_a(m + 1, m), a2 = factor_a(m + 2, m), a3 = factor_a(m + 3, m), a4 = factor_a(m + 4, m);
-    xreal slope = a2 * a1 * sector, offset = a2 * factor_b(m + 2, m) * sector;             /* u = slope z^2 - offset */
-    xreal cubic = a3 * slope, linear = a3 * (offset + factor_b(m + 3, m) * a1 * sector);   /* z (cubic z^2 - linear) */
+    xreal a1 = b->a(m + 1, m), a2 = b->a(m + 2, m), a3 = b->a(m + 3, m), a4 = b->a(m + 4, m);
+    xreal slope = a2 * a1 * sector, offset = b->c(m + 2, m) * sector;                      /* u = slope z^2 - offset */
+    xreal cubic = a3 * slope, linear = a3 * offset + b->c(m + 3, m) * a1 * sector;         /* z (cubic z^2 - linear) */
     p[m] = k_const(k, sector);
     p[m + 1] = k_scale(k, a1 * sector, z);
     p[m + 2] = k_sub(k, k_scale(k, slope, z2), k_const(k, offset));
     if (m + 3 < bands) p[m + 3] = k_mul(k, z, k_sub(k, k_scale(k, cubic, z2), k_const(k, linear)));
-    if (m + 4 < bands) {                               /* a4 z^2 (cubic z^2 - linear) - a4 b4 u with z^2 = (u + offset) / slope */
+    if (m + 4 < bands) {                               /* a4 z^2 (cubic z^2 - linear) - c4 u with z^2 = (u + offset) / slope */
         xreal alpha = a4 * cubic / (slope * slope), gamma = alpha * offset * offset - a4 * linear * offset / slope;
-        xreal beta = 2 * alpha * offset - a4 * linear / slope - a4 * factor_b(m + 4, m);
+        xreal beta = 2 * alpha * offset - a4 * linear / slope - b->c(m + 4, m);
         node u = p[m + 2];
         p[m + 4] = k_add(k, k_mul(k, u, k_add(k, k_scale(k, alpha, u), k_const(k, beta))), k_const(k, gamma));
     }
     for (l = m + 5; l < bands; l++)
-        p[l] = k_sub(k, k_scale(k, factor_a(l, m), k_mul(k, z, p[l - 1])),
-                     k_scale(k, factor_a(l, m) * factor_b(l, m), p[l - 2]));
+        p[l] = k_sub(k, k_scale(k, b->a(l, m), k_mul(k, z, p[l - 1])), k_scale(k, b->c(l, m), p[l - 2]));
 }
 
 /* Re and Im of (x+iy)^m, m >= 2, from the powers below: the square of power m/2 where m is even, (C-S)(C+S) and 2CS, which
@@ -54,11 +55,11 @@ static void phasor(kernel *k, int m, node x, node y, node *re, node *im) {
 /* A kernel of n bands about a direction x, y, z: its columns and phasors */
 typedef struct direction { node x, y, z, z2, re[64], im[64]; xreal sector; } direction;
 
-static kernel *sh_kernel(const char *family, const char *what, int bands, direction *d) {
+static kernel *basis_kernel(const basis *b, const char *verb, const char *what, int bands, direction *d) {
     char name[64], summary[160];
     kernel *k;
-    snprintf(name, sizeof name, "%s_%d", family, bands);
-    snprintf(summary, sizeof summary, "%s, %d band%s", what, bands, bands == 1 ? "" : "s");
+    snprintf(name, sizeof name, "%s_%s_%d", b->name, verb, bands);
+    snprintf(summary, sizeof summary, "%s %s, %d band%s", b->title, what, bands, bands == 1 ? "" : "s");
     k = kernel_new(name, summary);
     d->x = k_scalar(k, kernel_param(k, "x", PARAM_SCALAR, 0));
     d->y = k_scalar(k, kernel_param(k, "y", PARAM_SCALAR, 0));
@@ -70,21 +71,21 @@ static kernel *sh_kernel(const char *family, const char *what, int bands, direct
 }
 
 /* To be called for m = 0, 1, 2 ...: fills re[m], im[m] and p[m ... bands-1] */
-static void sh_column(kernel *k, int bands, int m, direction *d, node *p) {
+static void next_column(kernel *k, const basis *b, int bands, int m, direction *d, node *p) {
     if (m == 0) d->sector = x_sqrt(1 / (4 * x_pi()));
     else d->sector *= x_sqrt(x_ratio(2L * m + 1, 2L * m)) * (m == 1 ? x_sqrt(2) : 1);
     if (m > 1) phasor(k, m, d->x, d->y, d->re, d->im);
-    column(k, bands, m, d->z, d->z2, d->sector, p);
+    column(k, b, bands, m, d->z, d->z2, d->sector, p);
 }
 
 /* y[l(l+1) +- m] = p(l,m) {Re,Im}(x+iy)^m, m outer and l inner, so that a phasor is done with before the next starts */
-kernel *describe_sh_eval(int bands) {
+kernel *describe_eval(const basis *b, int bands) {
     direction d;
-    kernel *k = sh_kernel("sh_eval", "SH basis", bands, &d);
+    kernel *k = basis_kernel(b, "eval", "basis", bands, &d);
     int out = kernel_param(k, "out", PARAM_OUTPUT, bands * bands), l, m;
     node p[64];
     for (m = 0; m < bands; m++) {
-        sh_column(k, bands, m, &d, p);
+        next_column(k, b, bands, m, &d, p);
         for (l = m; l < bands; l++) {
             if (m) kernel_output(k, out, l * (l + 1) - m, k_mul(k, p[l], d.im[m]));
             kernel_output(k, out, l * (l + 1) + m, m ? k_mul(k, p[l], d.re[m]) : p[l]);
@@ -95,14 +96,14 @@ kernel *describe_sh_eval(int bands) {
 
 /* sum of f_i Y_i = sum over m of Re sum_l p(l,m) f(l,m) + Im sum_l p(l,m) f(l,-m): the phasor is met once a column, and no
    value of the basis is formed. */
-kernel *describe_sh_at(int bands) {
+kernel *describe_at(const basis *b, int bands) {
     direction d;
-    kernel *k = sh_kernel("sh_at", "SH value", bands, &d);
+    kernel *k = basis_kernel(b, "at", "value", bands, &d);
     int f = kernel_param(k, "f", PARAM_INPUT, bands * bands), out = kernel_param(k, "out", PARAM_OUTPUT, 1), l, m;
     node p[64], sum = k_const(k, 0);
     for (m = 0; m < bands; m++) {
         node plus = k_const(k, 0), minus = k_const(k, 0);
-        sh_column(k, bands, m, &d, p);
+        next_column(k, b, bands, m, &d, p);
         for (l = m; l < bands; l++) {
             plus = k_madd(k, p[l], k_element(k, f, l * (l + 1) + m), plus);
             if (m) minus = k_madd(k, p[l], k_element(k, f, l * (l + 1) - m), minus);
@@ -113,3 +114,6 @@ kernel *describe_sh_at(int bands) {
     kernel_output(k, out, 0, sum);
     return k;
 }
+
+kernel *describe_sh_eval(int bands) { return describe_eval(&sh, bands); }
+kernel *describe_sh_at(int bands) { return describe_at(&sh, bands); }

@@ -14,7 +14,16 @@ typedef struct family {
     kernel *(*describe)(int bands);
 } family;
 
+/* A basis p(l,m) {Re,Im}(x+iy)^m with p(m,m) as in SH and p(l,m) = a(l,m) z p(l-1,m) - c(l,m) p(l-2,m) above. */
+typedef xreal factor(int l, int m);
+typedef struct basis { const char *name, *title; factor *a, *c; } basis;
+kernel *describe_eval(const basis *b, int bands);
+kernel *describe_at(const basis *b, int bands);
+
+factor sh_factor_a, ch_factor_a;
 kernel *describe_sh_eval(int bands);
 kernel *describe_sh_at(int bands);
+kernel *describe_ch_eval(int bands);
+kernel *describe_ch_at(int bands);
 
 #endif

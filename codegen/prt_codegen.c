@@ -20,6 +20,8 @@
 static const family families[] = {
     { "sh_eval", 1, 10, FORM_ONE | FORM_SWEPT, describe_sh_eval },
     { "sh_at", 1, 10, FORM_ONE, describe_sh_at },
+    { "ch_eval", 1, 10, FORM_ONE | FORM_SWEPT, describe_ch_eval },
+    { "ch_at", 1, 10, FORM_ONE, describe_ch_at },
 };
 enum { FAMILY_COUNT = (int)(sizeof families / sizeof families[0]) };
 
@@ -68,8 +70,29 @@ static void print_root_table(FILE *to, const char *name, const char *what, int c
     fprintf(to, "    };\n    return table;\n}\n\n");
 }
 
+/* double prt__ch_steps()[(l-1)l/2 + m] = the factor of z in CH's recurrence, 0 <= m < l < bands */
+static void print_ch_table(FILE *to, int bands) {
+    int l, m, column = 0, count = bands * (bands - 1) / 2;
+    fprintf(to, "/* a(l,m) of CH's recurrence at (l-1)l/2 + m, 0 <= m < l < %d */\n", bands);
+    fprintf(to, "PRT__STATIC const double *prt__ch_steps(void) {\n    static const double table[%d] = {\n", count);
+    for (l = 1; l < bands; l++)
+        for (m = 0; m < l; m++) {
+            char text[64];
+            int last = l == bands - 1 && m == l - 1;
+            x_print(ch_factor_a(l, m), 17, text);
+            column += fprintf(to, "%s%s%s", column ? " " : "        ", text, last ? "" : ",");
+            if (column > 98 || last) { fprintf(to, "\n"); column = 0; }
+        }
+    fprintf(to, "    };\n    return table;\n}\n\n");
+}
+
 static int print_table(FILE *to, const request *r) {
-    if (strcmp(r->table, "roots")) return fail("unknown table", r->table, "use roots");
+    if (!strcmp(r->table, "ch_steps")) {
+        if (r->first_bands < 2 || r->first_bands > 200) return fail("table", r->table, "give --bands from 2 to 200");
+        print_ch_table(to, r->first_bands);
+        return 0;
+    }
+    if (strcmp(r->table, "roots")) return fail("unknown table", r->table, "use roots or ch_steps");
     if (r->count < 2 || r->count > 100000) return fail("table", r->table, "give --count from 2 to 100000");
     print_root_table(to, "roots", "sqrt(k)", r->count, 0);
     print_root_table(to, "inverse_roots", "1/sqrt(k), and 0", r->count, 1);

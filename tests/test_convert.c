@@ -120,8 +120,8 @@ static void filament(double x, double y, double z, double *b) {
     b[7] = -sqrt(15) * z * x * r; b[8] = sqrt(15) * (x * x - y * y) * r / 2;
 }
 
-/* The same file, renderPreScaledSH3Bands; and the polynomial of Unity's SphericalHarmonicsL2 (Unity-Technologies/Graphics
-   com.unity.render-pipelines.high-definition/Runtime/Lighting/ .. SphericalHarmonics.cs, PremultiplyCoefficients). */
+/* The same file, renderPreScaledSH3Bands; and the polynomial of Unity's SphericalHarmonicsL2 (Unity-Technologies/
+   Graphics com.unity.render-pipelines.high-definition/Runtime/Lighting/SphericalHarmonics.cs, PackCoefficients). */
 static void polynomial(double x, double y, double z, double *b) {
     b[0] = 1; b[1] = y; b[2] = z; b[3] = x;
     b[4] = y * x; b[5] = y * z; b[6] = 3 * z * z - 1; b[7] = z * x; b[8] = x * x - y * y;
@@ -225,7 +225,8 @@ static void filament_table(void **state) {
     for (i = 0; i < 9; i++) {
         prt_real one[9] = { 0, 0, 0, 0, 0, 0, 0, 0, 0 }, out[9];
         one[i] = 1;
-        assert_int_equal(prt_sh_convert(3, PRT_CONVENTION_FILAMENT, PRT_CONVENTION_FILAMENT_IRRADIANCE, one, out), PRT_OK);
+        assert_int_equal(prt_sh_convert(3, PRT_CONVENTION_FILAMENT, PRT_CONVENTION_FILAMENT_IRRADIANCE, one, out),
+                         PRT_OK);
         assert_near(out[i], table[i], 6e-7);
     }
 }
@@ -257,7 +258,8 @@ static void round_trips_and_aliasing(void **state) {
             prt_real f[144], there[144], back[144];
             random_vector(144, f);
             assert_int_equal(prt_sh_convert(bands, (prt_sh_convention)from, (prt_sh_convention)to, f, there), PRT_OK);
-            assert_int_equal(prt_sh_convert(bands, (prt_sh_convention)to, (prt_sh_convention)from, there, back), PRT_OK);
+            assert_int_equal(prt_sh_convert(bands, (prt_sh_convention)to, (prt_sh_convention)from, there, back),
+                             PRT_OK);
             for (i = 0; i < bands * bands; i++)
                 assert_near(back[i], f[i], exact ? 0 : 2 * (double)PRT__EPS * fabs((double)f[i]));
             memcpy(back, f, sizeof f);
@@ -272,7 +274,8 @@ static void convert_refuses(void **state) {
     (void)state;
     assert_int_equal(prt_sh_convert(0, PRT_CONVENTION_PRT, PRT_CONVENTION_GOOGLE, f, out), PRT_ERR_BANDS);
     assert_int_equal(prt_sh_convert(-5, PRT_CONVENTION_PRT, PRT_CONVENTION_GOOGLE, f, out), PRT_ERR_BANDS);
-    assert_int_equal(prt_sh_convert(PRT_MAX_BANDS + 1, PRT_CONVENTION_PRT, PRT_CONVENTION_GOOGLE, f, out), PRT_ERR_BANDS);
+    assert_int_equal(prt_sh_convert(PRT_MAX_BANDS + 1, PRT_CONVENTION_PRT, PRT_CONVENTION_GOOGLE, f, out),
+                     PRT_ERR_BANDS);
     assert_int_equal(prt_sh_convert(4, PRT_CONVENTION_PRT, PRT_CONVENTION_UNITY, f, out), PRT_ERR_BANDS);
     assert_int_equal(prt_sh_convert(4, PRT_CONVENTION_FILAMENT_IRRADIANCE, PRT_CONVENTION_PRT, f, out), PRT_ERR_BANDS);
     assert_int_equal(prt_sh_convert(2, PRT_CONVENTION_PRT, PRT_CONVENTION_GOOGLE, NULL, out), PRT_ERR_NULL);
@@ -517,9 +520,11 @@ static void map_axes_refuses(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(owners_basis_gives_our_function), cmocka_unit_test(irradiance_conventions_hold_irradiance_over_pi),
+        cmocka_unit_test(owners_basis_gives_our_function),
+        cmocka_unit_test(irradiance_conventions_hold_irradiance_over_pi),
         cmocka_unit_test(filament_table), cmocka_unit_test(known_lights), cmocka_unit_test(round_trips_and_aliasing),
-        cmocka_unit_test(convert_refuses), cmocka_unit_test(shader_constants), cmocka_unit_test(shader_constants_refuse),
+        cmocka_unit_test(convert_refuses), cmocka_unit_test(shader_constants),
+        cmocka_unit_test(shader_constants_refuse),
         cmocka_unit_test(all_48_maps_carry_the_delta_along), cmocka_unit_test(quarter_turn_entries_to_the_last_digits),
         cmocka_unit_test(a_map_and_its_inverse_cancel), cmocka_unit_test(three_letters), cmocka_unit_test(up_stays_up),
         cmocka_unit_test(map_axes_refuses)
