@@ -1262,103 +1262,124 @@ PRT__STATIC int prt__gather_finite(const prt__gather *g) {
     return sum[0] - sum[0] == 0 && sum[1] - sum[1] == 0 && sum[2] - sum[2] == 0;
 }
 
-/* cos and sin of m times a texel's centre, k half texels of `width` in a turn; k stays exact however large m. */
+/* Both maps map onto themselves when x, y or z changes its sign, and a real Y(l,m) is even or odd in each: so the eight
+   images of a texel share one evaluation. Class bits 0, 1, 2: odd in x, y, z. A block is a run of texels along a row, with
+   value[class][r, g, b] = weight times sum over the images of sign times texel. */
+typedef struct prt__octant {
+    double x[PRT__TEXELS], y[PRT__TEXELS], z[PRT__TEXELS], value[8][3][PRT__TEXELS];
+} prt__octant;
+
+/* Where the images of a row of texels are: of its first texel, and the steps to the next. Image bits as class bits. */
+typedef struct prt__images {
+    const float *texel[8];
+    ptrdiff_t step[8];
+} prt__images;
+
+static const float prt__no_texel[3] = { 0, 0, 0 };
+
+/* Texels from ... from+count-1 of the row into value[image], the rest of the block 0. */
+PRT__STATIC void prt__load_images(const prt__images *images, int from, int count, prt__octant *block) {
+    int i, k;
+    if (count < PRT__TEXELS) memset(block->value, 0, sizeof block->value);
+    for (k = 0; k < 8; k++) {
+        const float *texel = images->texel[k] + from * images->step[k];
+        double (*value)[PRT__TEXELS] = block->value[k];
+        for (i = 0; i < count; i++, texel += images->step[k]) {
+            value[0][i] = (double)texel[0];
+            value[1][i] = (double)texel[1];
+            value[2][i] = (double)texel[2];
+        }
+    }
+}
+
+/* Images to classes, a Walsh-Hadamard transform, and the weights. */
+PRT__STATIC void prt__fold_images(const double *weight, prt__octant *block) {
+    int i, c, k, bit;
+    for (c = 0; c < 3; c++)
+        for (i = 0; i < PRT__TEXELS; i += PRT__WIDE_LANES) {
+            prt__wide v[8], w = prt__wide_load(weight + i);
+            for (k = 0; k < 8; k++) v[k] = prt__wide_load(block->value[k][c] + i);
+            for (bit = 1; bit < 8; bit *= 2)
+                for (k = 0; k < 4; k++) {
+                    int at = k + (k & -bit);                           /* the numbers without that bit */
+                    prt__wide sum = v[at] + v[at + bit], difference = v[at] - v[at + bit];
+                    v[at] = sum;
+                    v[at + bit] = difference;
+                }
+            for (k = 0; k < 8; k++) prt__wide_store(block->value[k][c] + i, w * v[k]);
+        }
+}
+
+/* e^(i pi k/width), reduced before rounding: k, in half columns, grows with the order. */
 PRT__STATIC void prt__column_phase(uint64_t k, int width, double *re, double *im) {
     double angle = PRT__PI * (double)(k % (2 * (uint64_t)width)) / width;
     *re = cos(angle);
     *im = sin(angle);
 }
 
-/* Columns of one row of a latitude-longitude map. fold[m odd] holds, for each column of the first quarter turn, the
-   sums with its images at -phi, pi-phi and pi+phi that cos m phi (r, g, b) and sin m phi (r, g, b) ask for; re, im:
-   of the pass's first order; x, y: cos phi and sin phi. */
-typedef struct prt__columns {
-    double fold[2][6][PRT__TEXELS], re[PRT__TEXELS], im[PRT__TEXELS], x[PRT__TEXELS], y[PRT__TEXELS];
-} prt__columns;
-
-/* e^(i order phi) for the columns of a block, from that of its first column and the steps[2][PRT__TEXELS] between
-   them. */
-PRT__STATIC void prt__column_phasors(int width, int from, int order, const double *steps, double *re, double *im) {
+/* e^(i order phi) for the columns of a block, from that of its first column and the steps [re, im] between them. */
+PRT__STATIC void prt__column_phasors(int width, int from, int order, double (*step)[PRT__TEXELS], double *re,
+                                     double *im) {
     double c, s;
     int i;
     prt__column_phase((uint64_t)order * (2 * (uint64_t)from + 1), width, &c, &s);
     for (i = 0; i < PRT__TEXELS; i++) {
-        re[i] = c * steps[i] - s * steps[PRT__TEXELS + i];
-        im[i] = s * steps[i] + c * steps[PRT__TEXELS + i];
+        re[i] = c * step[0][i] - s * step[1][i];
+        im[i] = s * step[0][i] + c * step[1][i];
     }
 }
 
-/* A column that is its own image counts half. An odd width has no images at pi-phi and pi+phi. */
-PRT__STATIC void prt__fold_columns(int width, const float *row, int from, int to, prt__columns *block) {
-    int half = width / 2, odd = width % 2, i, c;
-    for (i = from; i < to; i++) {
-        double share = i == (odd ? half : half - 1 - i) ? 0.5 : 1, far_share = odd ? 0 : share;
-        const float *v0 = row + 3 * (size_t)i, *v1 = row + 3 * (size_t)(width - 1 - i);
-        const float *v2 = odd ? v0 : row + 3 * (size_t)(half - 1 - i), *v3 = odd ? v1 : row + 3 * (size_t)(half + i);
-        for (c = 0; c < 3; c++) {
-            double sum = share * ((double)v0[c] + (double)v1[c]), step = share * ((double)v0[c] - (double)v1[c]);
-            double far_sum = far_share * ((double)v2[c] + (double)v3[c]);
-            double far_step = far_share * ((double)v2[c] - (double)v3[c]);
-            block->fold[0][c][i - from] = sum + far_sum;
-            block->fold[1][c][i - from] = sum - far_sum;
-            block->fold[0][3 + c][i - from] = step - far_step;
-            block->fold[1][3 + c][i - from] = step + far_step;
-        }
+/* Row j with its images: first quarter of the columns (first half of an odd width, which has no images in -x). */
+PRT__STATIC void prt__equirect_images(int width, int height, const float *rgb, int j, prt__images *images) {
+    size_t stride = 3 * (size_t)width, half = 3 * (size_t)(width / 2);
+    int k;
+    for (k = 0; k < 8; k += 4) {
+        const float *row = rgb + (size_t)(k ? height - 1 - j : j) * stride;
+        images->texel[k] = row;
+        images->texel[k + 2] = row + stride - 3;
+        images->texel[k + 1] = width % 2 ? prt__no_texel : row + half - 3;
+        images->texel[k + 3] = width % 2 ? prt__no_texel : row + half;
+        images->step[k] = 3;
+        images->step[k + 2] = -3;
+        images->step[k + 1] = width % 2 ? 0 : -3;
+        images->step[k + 3] = width % 2 ? 0 : 3;
     }
 }
 
-/* Adds a block's part of sum_i v_i e^(i m phi_i) for the orders of a pass; moves the block's phasors on. */
-PRT__STATIC void prt__sum_columns(int orders, int first, prt__columns *block, double (*sum)[6]) {
+/* Adds a block's part of sum_i v_i e^(i m phi_i) to sum[m][odd in z], for the orders of a pass; re, im: e^(i first phi),
+   moved on from order to order. */
+PRT__STATIC void prt__sum_columns(const prt__gather *g, const prt__octant *block, double *re, double *im,
+                                  double (*sum)[2][6]) {
     int m, i, k;
-    for (m = 0; m < orders; m++) {
-        double (*fold)[PRT__TEXELS] = block->fold[(first + m) & 1];
-        prt__wide acc[6];
+    for (m = g->first; m < g->last; m++) {
+        int even = m & 1, odd = 3 - even;                              /* classes of cos m phi and sin m phi */
+        prt__wide acc[2][6];
         memset(acc, 0, sizeof acc);
         for (i = 0; i < PRT__TEXELS; i += PRT__WIDE_LANES) {
-            prt__wide re = prt__wide_load(block->re + i), im = prt__wide_load(block->im + i);
+            prt__wide c = prt__wide_load(re + i), s = prt__wide_load(im + i);
             prt__wide x = prt__wide_load(block->x + i), y = prt__wide_load(block->y + i);
             for (k = 0; k < 3; k++) {
-                acc[k] += re * prt__wide_load(fold[k] + i);
-                acc[3 + k] += im * prt__wide_load(fold[3 + k] + i);
+                acc[0][k] += c * prt__wide_load(block->value[even][k] + i);
+                acc[0][3 + k] += s * prt__wide_load(block->value[odd][k] + i);
+                acc[1][k] += c * prt__wide_load(block->value[even + 4][k] + i);
+                acc[1][3 + k] += s * prt__wide_load(block->value[odd + 4][k] + i);
             }
-            prt__wide_store(block->re + i, re * x - im * y);
-            prt__wide_store(block->im + i, re * y + im * x);
+            prt__wide_store(re + i, c * x - s * y);
+            prt__wide_store(im + i, c * y + s * x);
         }
-        prt__wide_add6(acc, sum[m]);
+        prt__wide_add6(acc[0], sum[m - g->first][0]);
+        prt__wide_add6(acc[1], sum[m - g->first][1]);
     }
 }
 
-/* The steps between columns that prt__column_phasors takes, of order 1 and of the pass's first order. */
-typedef struct prt__column_steps { double one[2 * PRT__TEXELS], first[2 * PRT__TEXELS]; } prt__column_steps;
-
-PRT__STATIC void prt__gather_row(const prt__gather *g, const prt__column_steps *steps, int width, const float *row,
-                                 double (*sum)[6]) {
-    int columns = width % 2 ? width / 2 + 1 : (width / 2 + 1) / 2, from;
-    prt__columns block;
-    memset(sum, 0, PRT__ORDERS * sizeof *sum);
-    for (from = 0; from < columns; from += PRT__TEXELS) {
-        int to = from + PRT__TEXELS;
-        if (to > columns) { to = columns; memset(block.fold, 0, sizeof block.fold); }
-        prt__fold_columns(width, row, from, to, &block);
-        prt__column_phasors(width, from, 1, steps->one, block.x, block.y);
-        prt__column_phasors(width, from, g->first, steps->first, block.re, block.im);
-        prt__sum_columns(g->last - g->first, g->first, &block, sum);
-    }
-}
-
-/* Legendre functions for a row at z and its mirror image at -z: p(l,m) is even in z where l-m is, odd elsewhere. */
-PRT__STATIC void prt__gather_rows(prt__gather *g, double z, double sine, double weight, double (*north)[6],
-                                  double (*south)[6]) {
+/* Legendre functions of a row at z, times its sums over columns; p(l,m) is even in z where l-m is. */
+PRT__STATIC void prt__gather_row(prt__gather *g, double z, double sine, double weight, double (*sum)[2][6]) {
     double power = weight * pow(sine, g->first);
     int m, l, k;
     for (m = 0; m < g->last - g->first; m++, power *= sine) {
-        double p = g->sector[m] * power, p1 = 0, part[2][6];
-        for (k = 0; k < 6; k++) {
-            part[0][k] = north[m][k] + south[m][k];
-            part[1][k] = north[m][k] - south[m][k];
-        }
+        double p = g->sector[m] * power, p1 = 0;
         for (l = g->first + m; l < g->bands; l++) {
-            const double *v = part[(l - g->first - m) & 1];
+            const double *v = sum[m][(l - g->first - m) & 1];
             if (l > g->first + m) {
                 double p2 = p1;
                 p1 = p;
@@ -1369,22 +1390,33 @@ PRT__STATIC void prt__gather_rows(prt__gather *g, double z, double sine, double 
     }
 }
 
+/* A texel that is its own image counts half, once for each axis. */
 PRT__STATIC void prt__gather_equirect(prt__gather *g, int width, int height, const float *rgb) {
-    double north[PRT__ORDERS][6], south[PRT__ORDERS][6];
-    prt__column_steps steps;
-    int i, j;
+    double one[2][PRT__TEXELS], first[2][PRT__TEXELS], re[PRT__TEXELS], im[PRT__TEXELS], weight[PRT__TEXELS];
+    double sum[PRT__ORDERS][2][6];
+    int columns = width % 2 ? width / 2 + 1 : (width / 2 + 1) / 2, from, count, i, j;
+    prt__images images;
+    prt__octant block;
     for (i = 0; i < PRT__TEXELS; i++) {
-        prt__column_phase(2 * (uint64_t)i, width, steps.one + i, steps.one + PRT__TEXELS + i);
-        prt__column_phase(2 * (uint64_t)i * (uint64_t)g->first, width, steps.first + i, steps.first + PRT__TEXELS + i);
+        prt__column_phase(2 * (uint64_t)i, width, one[0] + i, one[1] + i);
+        prt__column_phase(2 * (uint64_t)i * (uint64_t)g->first, width, first[0] + i, first[1] + i);
     }
     for (j = 0; j < height / 2 + height % 2; j++) {
-        int mirror = height - 1 - j;
         double theta = PRT__PI * (j + 0.5) / height, sine = sin(theta);
-        double weight = 4 * PRT__PI / width * sine * sin(PRT__PI / (2.0 * height));
-        prt__gather_row(g, &steps, width, rgb + (size_t)j * (size_t)width * 3, north);
-        if (mirror != j) prt__gather_row(g, &steps, width, rgb + (size_t)mirror * (size_t)width * 3, south);
-        else memset(south, 0, sizeof south);
-        prt__gather_rows(g, cos(theta), sine, weight, north, south);
+        double share = 4 * PRT__PI / width * sine * sin(PRT__PI / (2.0 * height)) * (2 * j + 1 == height ? 0.5 : 1);
+        prt__equirect_images(width, height, rgb, j, &images);
+        memset(sum, 0, sizeof sum);
+        for (from = 0; from < columns; from += count) {
+            count = columns - from < PRT__TEXELS ? columns - from : PRT__TEXELS;
+            for (i = 0; i < PRT__TEXELS; i++) weight[i] = 1;
+            if (from + count == columns && width % 4) weight[count - 1] = 0.5;
+            prt__load_images(&images, from, count, &block);
+            prt__fold_images(weight, &block);
+            prt__column_phasors(width, from, 1, one, block.x, block.y);
+            prt__column_phasors(width, from, g->first, first, re, im);
+            prt__sum_columns(g, &block, re, im, sum);
+        }
+        prt__gather_row(g, cos(theta), sine, share, sum);
     }
 }
 
@@ -1403,67 +1435,28 @@ PRTDEF prt_result prt_sh_project_equirect_rgb(int bands, int width, int height, 
     return PRT_OK;
 }
 
-/* Solid angle of the rectangle x0 ... x1, y0 ... y1 of the plane z = 1: two triangles, tan(omega/2) = a.(b x c) /
-   (|a||b||c| + (a.b)|c| + (b.c)|a| + (c.a)|b|) [Van Oosterom 1983]; the triple product is the area, free of
-   cancellation. */
-PRT__STATIC double prt__rectangle_solid_angle(double x0, double x1, double y0, double y1) {
-    double a = sqrt(x0 * x0 + y0 * y0 + 1), b = sqrt(x1 * x1 + y0 * y0 + 1), area = (x1 - x0) * (y1 - y0);
-    double c = sqrt(x1 * x1 + y1 * y1 + 1), d = sqrt(x0 * x0 + y1 * y1 + 1), ac = x0 * x1 + y0 * y1 + 1;
-    double ab = x0 * x1 + y0 * y0 + 1, bc = x1 * x1 + y0 * y1 + 1, cd = x0 * x1 + y1 * y1 + 1;
-    double da = x0 * x0 + y0 * y1 + 1;
+/* Solid angle of the square of centre (u,v) and half width e on the plane z = 1: two triangles, tan(omega/2) =
+   a.(b x c)/(|a||b||c| + (a.b)|c| + (b.c)|a| + (c.a)|b|) [Van Oosterom 1983]. The triple product is the square's area:
+   nothing cancels, however small the square. */
+PRT__STATIC double prt__square_solid_angle(double u, double v, double e) {
+    double x0 = u - e, x1 = u + e, y0 = v - e, y1 = v + e, area = 4 * e * e;
+    double a = sqrt(x0 * x0 + y0 * y0 + 1), b = sqrt(x1 * x1 + y0 * y0 + 1), c = sqrt(x1 * x1 + y1 * y1 + 1);
+    double d = sqrt(x0 * x0 + y1 * y1 + 1), ac = x0 * x1 + y0 * y1 + 1, ab = x0 * x1 + y0 * y0 + 1;
+    double bc = x1 * x1 + y0 * y1 + 1, cd = x0 * x1 + y1 * y1 + 1, da = x0 * x0 + y0 * y1 + 1;
     return 2 * (atan2(area, a * b * c + ab * c + bc * a + ac * b) + atan2(area, a * c * d + ac * d + cd * a + da * c));
 }
 
-/* Texels of a cube map folded into the octant x, y, z >= 0. A real Y(l,m) is even or odd in each of x, y and z; bit
-   0, 1, 2 of a class set: odd in x, y, z. value[class][r, g, b]: solid angle times sum over the eight images of
-   sign times texel. */
-typedef struct prt__octant {
-    double x[PRT__TEXELS], y[PRT__TEXELS], z[PRT__TEXELS], value[8][3][PRT__TEXELS];
-} prt__octant;
-
-/* The texel of face pair 0 (x), 1 (y), 2 (z) seen in the octant of signs `octant` (bit 0, 1, 2 set: x, y, z < 0) at
-   column i and row j, both counted from the edges where s and t are negative: OpenGL's table of face coordinates.
-   */
-PRT__STATIC const float *prt__cube_texel(int size, const float *const faces[6], int pair, int octant, int i, int j) {
-    int x = octant & 1, y = octant >> 1 & 1, z = octant >> 2;
-    int s_negative = pair == 0 ? z == x : pair == 1 ? x : x ^ z;
-    int t_negative = pair == 1 ? z ^ y : !y;
-    size_t column = (size_t)(s_negative ? i : size - 1 - i), row = (size_t)(t_negative ? j : size - 1 - j);
-    return faces[2 * pair + (octant >> pair & 1)] + 3 * (row * (size_t)size + column);
-}
-
-/* Sums with the signs of the eight classes (a Walsh-Hadamard transform). */
-PRT__STATIC void prt__octant_fold(double v[8]) {
-    int bit, i;
-    for (bit = 1; bit < 8; bit *= 2)
-        for (i = 0; i < 8; i++)
-            if (!(i & bit)) {
-                double sum = v[i] + v[i | bit], step = v[i] - v[i | bit];
-                v[i] = sum;
-                v[i | bit] = step;
-            }
-}
-
-/* Texels i = from ... to-1 of row j of a pair of faces. Rows and columns in the middle of an odd size are their own
-   images. */
-PRT__STATIC void prt__octant_block(int size, const float *const faces[6], int pair, int j, int from, int to,
-                                   const double *solid_angle, prt__octant *block) {
-    int i, c, k;
-    memset(block, 0, sizeof *block);
-    for (i = from; i < to; i++) {
-        double u = (size - 1.0 - 2 * i) / size, v = (size - 1.0 - 2 * j) / size, r = 1 / sqrt(1 + u * u + v * v);
-        double weight = solid_angle[i - from] * (2 * i + 1 == size ? 0.5 : 1) * (2 * j + 1 == size ? 0.5 : 1);
-        const float *texel[8];
-        block->x[i - from] = pair == 0 ? r : u * r;
-        block->y[i - from] = pair == 1 ? r : v * r;
-        block->z[i - from] = pair == 2 ? r : (pair == 0 ? u : v) * r;
-        for (k = 0; k < 8; k++) texel[k] = prt__cube_texel(size, faces, pair, k, i, j);
-        for (c = 0; c < 3; c++) {
-            double value[8];
-            for (k = 0; k < 8; k++) value[k] = (double)texel[k][c];
-            prt__octant_fold(value);
-            for (k = 0; k < 8; k++) block->value[k][c][i - from] = weight * value[k];
-        }
+/* Row j of face pair 0 (x), 1 (y), 2 (z) with its images; rows and columns counted from the edges s = t = -1. OpenGL's
+   table of face coordinates says in which images s and t are negative. */
+PRT__STATIC void prt__cubemap_images(int size, const float *const faces[6], int pair, int j, prt__images *images) {
+    int k;
+    for (k = 0; k < 8; k++) {
+        int x = k & 1, y = k >> 1 & 1, z = k >> 2;
+        int s_negative = pair == 0 ? z == x : pair == 1 ? x : x ^ z;
+        int t_negative = pair == 1 ? z ^ y : !y;
+        size_t row = (size_t)(t_negative ? j : size - 1 - j), column = (size_t)(s_negative ? 0 : size - 1);
+        images->texel[k] = faces[2 * pair + (k >> pair & 1)] + 3 * (row * (size_t)size + column);
+        images->step[k] = s_negative ? 3 : -3;
     }
 }
 
@@ -1471,13 +1464,14 @@ PRT__STATIC void prt__octant_block(int size, const float *const faces[6], int pa
 PRT__STATIC void prt__gather_order(prt__gather *g, int m, const prt__octant *block, const double *re,
                                    const double *im) {
     double value[2][6][PRT__TEXELS], p[PRT__TEXELS], p1[PRT__TEXELS];
-    int row = m - g->first, odd = m & 1, i, k, l;
-    for (k = 0; k < 2; k++)
-        for (l = 0; l < 3; l++)
-            for (i = 0; i < PRT__TEXELS; i++) {
-                value[k][l][i] = re[i] * block->value[odd + 4 * k][l][i];
-                value[k][3 + l][i] = im[i] * block->value[(1 - odd) + 2 + 4 * k][l][i];
-            }
+    int row = m - g->first, even = m & 1, odd = 3 - even, i, k, l;     /* classes of cos m phi and sin m phi */
+    for (k = 0; k < 3; k++)
+        for (i = 0; i < PRT__TEXELS; i++) {
+            value[0][k][i] = re[i] * block->value[even][k][i];
+            value[0][3 + k][i] = im[i] * block->value[odd][k][i];
+            value[1][k][i] = re[i] * block->value[even + 4][k][i];
+            value[1][3 + k][i] = im[i] * block->value[odd + 4][k][i];
+        }
     for (i = 0; i < PRT__TEXELS; i++) { p[i] = g->sector[row]; p1[i] = 0; }
     for (l = m; l < g->bands; l++) {
         double (*part)[PRT__TEXELS] = value[(l - m) & 1];
@@ -1508,18 +1502,42 @@ PRT__STATIC void prt__gather_octant(prt__gather *g, const prt__octant *block) {
     }
 }
 
+/* Texels from ... from+count-1 of row j, seen by face pair 0: their directions in the octant, and solid angles. */
+PRT__STATIC void prt__cubemap_block(int size, int j, int from, int count, double (*dir)[PRT__TEXELS], double *weight) {
+    double v = (size - 1.0 - 2 * j) / size;
+    int i;
+    memset(dir, 0, 3 * sizeof *dir);
+    memset(weight, 0, PRT__TEXELS * sizeof *weight);
+    for (i = 0; i < count; i++) {
+        int column = from + i;
+        double u = (size - 1.0 - 2 * column) / size, r = 1 / sqrt(1 + u * u + v * v);
+        dir[0][i] = r;
+        dir[1][i] = v * r;
+        dir[2][i] = u * r;
+        weight[i] = prt__square_solid_angle(u, v, 1.0 / size);
+        if (2 * column + 1 == size) weight[i] /= 2;                    /* its own image in the middle of an odd size */
+        if (2 * j + 1 == size) weight[i] /= 2;
+    }
+}
+
 PRT__STATIC void prt__gather_cubemap(prt__gather *g, int size, const float *const faces[6]) {
-    double solid_angle[PRT__TEXELS], inv = 1.0 / size;
+    /* which of major axis, t and s a face pair sees along x, y, z */
+    static const unsigned char axis[3][3] = { { 0, 1, 2 }, { 2, 0, 1 }, { 2, 1, 0 } };
+    double dir[3][PRT__TEXELS], weight[PRT__TEXELS];
+    int half = size / 2 + size % 2, from, count, j, pair;
+    prt__images images;
     prt__octant block;
-    int count = size / 2 + size % 2, from, to, i, j, pair;
-    for (j = 0; j < count; j++)
-        for (from = 0; from < count; from = to) {
-            to = count - from < PRT__TEXELS ? count : from + PRT__TEXELS;
-            for (i = from; i < to; i++)
-                solid_angle[i - from] = prt__rectangle_solid_angle((size - 2.0 - 2 * i) * inv, (size - 2.0 * i) * inv,
-                                                                   (size - 2.0 - 2 * j) * inv, (size - 2.0 * j) * inv);
+    for (j = 0; j < half; j++)
+        for (from = 0; from < half; from += count) {
+            count = half - from < PRT__TEXELS ? half - from : PRT__TEXELS;
+            prt__cubemap_block(size, j, from, count, dir, weight);
             for (pair = 0; pair < 3; pair++) {
-                prt__octant_block(size, faces, pair, j, from, to, solid_angle, &block);
+                memcpy(block.x, dir[axis[pair][0]], sizeof block.x);
+                memcpy(block.y, dir[axis[pair][1]], sizeof block.y);
+                memcpy(block.z, dir[axis[pair][2]], sizeof block.z);
+                prt__cubemap_images(size, faces, pair, j, &images);
+                prt__load_images(&images, from, count, &block);
+                prt__fold_images(weight, &block);
                 prt__gather_octant(g, &block);
             }
         }
