@@ -18,6 +18,21 @@
 #define IMAGE (data->image)
 #define CUBE (data->cube)
 #define OUT ((prt_real *)data->out)
+#define ROTATION turn
+
+/* A rotation without symmetry, and its blocks for the number of bands in work. */
+static const prt_real turn[9] = {
+    (prt_real)0.36, (prt_real)0.48, (prt_real)-0.8, (prt_real)-0.8, (prt_real)0.6, 0, (prt_real)0.48, (prt_real)0.64,
+    (prt_real)0.6
+};
+static const prt_real *blocks_of(int n) {
+    static prt_real blocks[PRT_MAX_BANDS * (4 * PRT_MAX_BANDS * PRT_MAX_BANDS - 1) / 3];
+    static int built;
+    if (n != built && prt_sh_rotation(n, turn, blocks) == PRT_OK) built = n;
+    return blocks;
+}
+#define BLOCKS blocks
+#define PREPARED const prt_real *blocks = n > 0 ? blocks_of(n) : NULL; (void)blocks; (void)n; (void)items;
 
 /* The functions of each line ... */
 #define COUNTS(id, items_, flops_, reads_, writes_) \
@@ -29,11 +44,13 @@
     COUNTS(id, items_, flops_, reads_, writes_) \
     static void id##_run(const bench_data *data, int n, int items, long passes) { \
         int k; \
+        PREPARED \
         for (; passes > 0; passes--) for (k = 0; k < items; k++) { call; BENCH_KEEP(data->out); } \
     }
 #define BATCH(id, job, name, bands, items_, call, flops_, reads_, writes_) \
     COUNTS(id, items_, flops_, reads_, writes_) \
     static void id##_run(const bench_data *data, int n, int items, long passes) { \
+        PREPARED \
         for (; passes > 0; passes--) { call; BENCH_KEEP(data->out); } \
     }
 #include "candidates.h"

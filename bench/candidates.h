@@ -4,7 +4,8 @@
      BATCH(id, "job", "name", "bands", items, call, flops, reads, writes)    calls once for all `items` items
 
    `call` may use: n (bands), items, k (EACH only), DIR(k) (a prt_vec3), DIRS (prt_vec3[items]), X Y Z (the same as three
-   arrays), F and G (coefficients, three planes apart by n^2), ROWS (rows of coefficients), IMAGE and CUBE, OUT.
+   arrays), F and G (coefficients, three planes apart by n^2), ROWS (rows of coefficients), IMAGE and CUBE, ROTATION,
+   BLOCKS, OUT.
    `items`, `flops`, `reads` and `writes` are expressions in n, for one item; reads and writes count prt_reals.
    A multiply-add is two flops. */
 
@@ -27,6 +28,30 @@ BATCH(eval_soa,     "eval_soa", "prt_sh_eval_soa",      ALL, ITEMS, prt_sh_eval_
 BATCH(eval_soa_pad, "eval_soa", "prt_sh_eval_soa, stride + 32", "1-10,16", ITEMS, prt_sh_eval_soa(n, items, X, Y, Z, OUT, (size_t)items + 32), EVAL_FLOPS, 3, n * n)
 EACH (at,           "at",       "prt_sh_at",            ALL, ITEMS, OUT[0] = prt_sh_at(n, F, DIR(k)), EVAL_FLOPS + 2.0 * n * n, 3 + n * n, 1)
 EACH (dot,          "dot",      "prt_sh_dot",           ALL, 64,    OUT[0] = prt_sh_dot(n, F, G), 2.0 * n * n, 2 * n * n, 1)
+
+/* >>project */
+#define TEXELS (BENCH_IMAGE_WIDTH * BENCH_IMAGE_HEIGHT)
+#define CUBE_TEXELS (6 * BENCH_CUBE_SIZE * BENCH_CUBE_SIZE)
+EACH (add_sample,   "add_sample", "prt_sh_add_sample",  LOW, 1024,  prt_sh_add_sample(n, DIR(k), (prt_real)1e-6, OUT), EVAL_FLOPS + 2.0 * n * n, 3 + n * n, n * n)
+EACH (delta,        "delta",    "prt_sh_delta",         LOW, 1024,  prt_sh_delta(n, DIR(k), OUT), EVAL_FLOPS, 3, n * n)
+EACH (cone,         "cone",     "prt_sh_cone",          LOW, 1024,  prt_sh_cone(n, DIR(k), (prt_real)0.3, OUT), 0, 3, n * n)
+EACH (sphere,       "sphere",   "prt_sh_sphere",        LOW, 1024,  prt_sh_sphere(n, DIR(k), (prt_real)0.3, OUT), 0, 3, n * n)
+EACH (lobe,         "cosine_lobe", "prt_sh_cosine_lobe", LOW, 1024, prt_sh_cosine_lobe(n, DIR(k), OUT), 0, 3, n * n)
+EACH (hemisphere,   "hemisphere", "prt_sh_hemisphere",  LOW, 1024,  prt_sh_hemisphere(n, DIR(k), 1, 0, OUT), 0, 3, n * n)
+BATCH(equirect,     "equirect", "prt_sh_project_equirect_rgb", LOW, TEXELS, prt_sh_project_equirect_rgb(n, BENCH_IMAGE_WIDTH, BENCH_IMAGE_HEIGHT, IMAGE, OUT), 0, 3, 0)
+BATCH(cubemap,      "cubemap",  "prt_sh_project_cubemap_rgb", LOW, CUBE_TEXELS, prt_sh_project_cubemap_rgb(n, BENCH_CUBE_SIZE, CUBE, OUT), 0, 3, 0)
+EACH (convolve,     "convolve", "prt_sh_convolve",      LOW, 64,    prt_sh_convolve(n, F, G, OUT), 1.0 * n * n + 2 * n, n * n + n, n * n)
+EACH (irradiance,   "irradiance", "prt_sh_irradiance",  LOW, 64,    prt_sh_irradiance(n, F, OUT), 1.0 * n * n + n, n * n, n * n)
+
+/* >>window */
+EACH (window,       "window",   "prt_sh_window, Hann",  LOW, 64,    prt_sh_window(n, PRT_WINDOW_HANN, n, F, OUT), 0, n * n, n * n)
+
+/* >>rotate: ROTATION is a fixed turn, BLOCKS its matrices, built before the clock runs */
+#define BLOCK_FLOPS (2.0 * n * (4 * n * n - 1) / 3)
+EACH (rotation,     "rotation", "prt_sh_rotation",      ALL, 16,    prt_sh_rotation(n, ROTATION, OUT), 0, 9, n * (4 * n * n - 1) / 3)
+EACH (rotate_by,    "rotate_by", "prt_sh_rotate_by",    ALL, 16,    prt_sh_rotate_by(n, BLOCKS, F, OUT), BLOCK_FLOPS, n * n, n * n)
+BATCH(rotate_by_n,  "rotate_by_n", "prt_sh_rotate_by_n", ALL, ITEMS, prt_sh_rotate_by_n(n, BLOCKS, items, ROWS, OUT), BLOCK_FLOPS, n * n, n * n)
+BATCH(rotate_by_soa, "rotate_by_n", "prt_sh_rotate_by_soa", ALL, ITEMS, prt_sh_rotate_by_soa(n, BLOCKS, items, ROWS, OUT, (size_t)items), BLOCK_FLOPS, n * n, n * n)
 
 /* >>shade */
 BATCH(diffuse_n,    "diffuse_n", "prt_shade_diffuse_n", LOW, 1024,  prt_shade_diffuse_n(n, items, ROWS, F, (prt_rgb *)OUT), 6.0 * n * n, n * n, 3)
