@@ -263,6 +263,9 @@ PRTDEF prt_result prt_bake_error(int bands, int point_count, const prt_real *a, 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#if PRT__SIMD && defined(__SSE2__)
+#  include <immintrin.h>
+#endif
 
 #if defined(PRT_MALLOC) != defined(PRT_FREE)
 #  error "prt_bake.h: define both PRT_MALLOC and PRT_FREE, or neither"
@@ -440,12 +443,30 @@ PRT__STATIC prt__frame prt__frame_about(prt_vec3 normal) {
     return f;
 }
 
-PRT__INLINE prt__vec prt__vec_root(prt__vec v) {               /* square root, of negative values 0 */
+/* Square root, of negative values 0. By intrinsics where the loop below is slow: a compiler may not widen sqrt, which
+   reports errors through errno. */
+PRT__INLINE prt__vec prt__vec_root(prt__vec v) {
+#if PRT__SIMD && defined(__SSE2__)
+#  if defined(__AVX512F__)
+#    define PRT__MM(name) _mm512_##name
+#  elif defined(__AVX__)
+#    define PRT__MM(name) _mm256_##name
+#  else
+#    define PRT__MM(name) _mm_##name
+#  endif
+#  ifdef PRT_DOUBLE
+    return PRT__MM(sqrt_pd)(PRT__MM(max_pd)(v, prt__vec_set(0)));
+#  else
+    return PRT__MM(sqrt_ps)(PRT__MM(max_ps)(v, prt__vec_set(0)));
+#  endif
+#  undef PRT__MM
+#else
     prt_real all[PRT__LANES];
     int k;
     prt__vec_store(all, v);
     for (k = 0; k < PRT__LANES; k++) all[k] = prt__sqrt(all[k] > 0 ? all[k] : 0);
     return prt__vec_load(all);
+#endif
 }
 
 /* Members base ... base+count-1 of the lattice, cosine-mapped into the frame, to x, y, z; base is a multiple of 64,
@@ -648,7 +669,7 @@ typedef struct prt__bake {
     prt_real bias;
     prt_ray *rays;                     /* [PRT_BAKE_BATCH] */
     prt_real *x, *y, *z;               /* [PRT_BAKE_BATCH + PRT__BLOCK], their directions */
-    unsigned char *blocked;            /* [PRT_BAKE_BATCH] */
+    unsigned char *blocked;            /* [PRT_BAKE_BATCH + PRT__BLOCK] */
     prt_real *basis;                   /* [coefficients][width] */
     prt_real *running;                 /* [coefficients][PRT__LANES] */
     double *sum;                       /* [coefficients] */
@@ -664,15 +685,18 @@ PRT__STATIC int prt__bake_width(int bands) {
     return width;
 }
 
+/* The next piece of memory, on a cache line of its own: a vector that crosses two costs twice. */
+enum { PRT__LINE = 64 };
 PRT__INLINE void *prt__carve(unsigned char *memory, size_t *used, size_t count, size_t size) {
     void *piece = memory ? memory + *used : 0;
-    *used += (count * size + 63) / 64 * 64;
+    *used += (count * size + PRT__LINE - 1) / PRT__LINE * PRT__LINE;
     return piece;
 }
 
 /* Lays the buffers out in memory, or only measures them where memory is NULL. */
 PRT__STATIC size_t prt__bake_layout(prt__bake *b, unsigned char *memory) {
-    size_t used = 0, n = (size_t)b->coefficients, batch = PRT_BAKE_BATCH;
+    size_t used = PRT__LINE, n = (size_t)b->coefficients, batch = PRT_BAKE_BATCH;
+    if (memory) used -= (size_t)((uintptr_t)memory % PRT__LINE);
     b->rays = (prt_ray *)prt__carve(memory, &used, batch, sizeof *b->rays);
     b->x = (prt_real *)prt__carve(memory, &used, batch + PRT__BLOCK, sizeof *b->x);
     b->y = (prt_real *)prt__carve(memory, &used, batch + PRT__BLOCK, sizeof *b->y);
@@ -680,7 +704,7 @@ PRT__STATIC size_t prt__bake_layout(prt__bake *b, unsigned char *memory) {
     b->basis = (prt_real *)prt__carve(memory, &used, n * (size_t)b->width, sizeof *b->basis);
     b->running = (prt_real *)prt__carve(memory, &used, n * PRT__LANES, sizeof *b->running);
     b->sum = (double *)prt__carve(memory, &used, n, sizeof *b->sum);
-    b->blocked = (unsigned char *)prt__carve(memory, &used, batch, 1);
+    b->blocked = (unsigned char *)prt__carve(memory, &used, batch + PRT__BLOCK, 1);
     return used;
 }
 
@@ -750,27 +774,31 @@ PRT__STATIC int prt__bake_fill(prt__bake *b, prt__cursor *at, int end) {
     return queued;
 }
 
-/* The basis of the block's directions times whether they are open, added to the running sums. */
+/* running[i] += open . basis[i] over so many lanes, for each coefficient. Inlined for a constant width. */
+PRT__INLINE void prt__bake_sum_rows(const prt__bake *b, int width, const prt_real *open) {
+    const prt_real *row = b->basis;
+    prt_real *running = b->running;
+    int i, k;
+    for (i = 0; i < b->coefficients; i++, row += width, running += PRT__LANES) {
+        prt__vec sum = prt__vec_load(running);
+        for (k = 0; k < width; k += PRT__LANES) sum += prt__vec_load(open + k) * prt__vec_load(row + k);
+        prt__vec_store(running, sum);
+    }
+}
+
+/* The basis of the block's open directions, added to the running sums. Lanes past the last member count as blocked. */
 PRT__STATIC void prt__bake_add_block(prt__bake *b, int first, int count) {
     prt_real open[PRT__BLOCK];
-    int k, i, from, any = 0;
-    for (k = 0; k < PRT__BLOCK; k++) {
-        int is_open = k < count && !b->blocked[first + (k < count ? k : 0)];
-        open[k] = (prt_real)is_open;
-        any |= is_open;
-    }
-    if (!any) return;
+    int k, from;
+    if (!memchr(b->blocked + first, 0, (size_t)count)) return;
+    for (k = 0; k < PRT__BLOCK; k++) open[k] = (prt_real)(b->blocked[first + k] == 0);
+    for (k = count; k < PRT__BLOCK; k++) open[k] = 0;
     for (from = 0; from < count; from += b->width) {
-        int lanes = count - from < b->width ? count - from : b->width;
-        prt_sh_eval_soa(b->bands, (lanes + PRT__LANES - 1) / PRT__LANES * PRT__LANES, b->x + first + from,
-                        b->y + first + from, b->z + first + from, b->basis, (size_t)b->width);
-        for (i = 0; i < b->coefficients; i++) {
-            const prt_real *row = b->basis + (size_t)i * (size_t)b->width;
-            prt_real *running = b->running + (size_t)i * PRT__LANES;
-            prt__vec sum = prt__vec_load(running);
-            for (k = 0; k < lanes; k += PRT__LANES) sum += prt__vec_load(open + from + k) * prt__vec_load(row + k);
-            prt__vec_store(running, sum);
-        }
+        int lanes = count - from < b->width ? count - from : b->width, at = first + from;
+        lanes = (lanes + PRT__LANES - 1) / PRT__LANES * PRT__LANES;
+        prt_sh_eval_soa(b->bands, lanes, b->x + at, b->y + at, b->z + at, b->basis, (size_t)b->width);
+        if (b->width == PRT__BLOCK) prt__bake_sum_rows(b, PRT__BLOCK, open);
+        else prt__bake_sum_rows(b, b->width, open + from);
     }
 }
 
