@@ -59,9 +59,9 @@
 
    RAY CALLBACK
      prt_tracer.occluded receives some rays and says of each whether anything lies on it between tmin and tmax.
-     - A batch holds up to PRT_BAKE_BATCH rays, and that many but for the last of a call: packet and stream tracers work
-       at full width. Rays of a batch start at few points and point everywhere: incoherent. The size of a batch and
-       the way the rays are dealt to batches may change between versions: a ray's answer must not depend on it.
+     - A batch holds up to PRT_BAKE_BATCH rays, and more than PRT_BAKE_BATCH - 64 but for the last of a call, so that
+       packet and stream tracers work at full width. Its rays start at few points and point everywhere: incoherent.
+       How rays are dealt to batches depends on the range: a ray's answer must not depend on its batch.
      - Every number in a ray is finite. dir is of unit length within rounding; tmin is 0; tmax is FLT_MAX, which
        float and double hold alike. origin has moved off the surface by the bias already.
      - blocked[k] = 1 if something is hit, else 0 (any nonzero value counts as blocked). It is all 0 on entry.
@@ -82,7 +82,8 @@
      PRT_BAKE_BATCH                       rays a callback [1024], at least 64
 
    LIMITS
-     Scratch memory of a call: prt_bake_scratch_size, 139 KiB at 5 bands, 423 KiB at 64 (float, the defaults).
+     Scratch memory of a call (prt_bake_scratch_size): 53 KiB at 5 bands, 77 at 10, 400 to 590 at 64 by vector width
+     (float; double: 104, 147, 634).
      points and rays a point are int; their product may exceed it.
 
    REFERENCES (beside those of prt.h)
@@ -201,8 +202,8 @@ typedef struct prt_mesh_report {
 /* Points at the vertices, in their order: points[vertex_count], unit normals. report may be NULL.
    Normals that are given are normalised; where one is missing, zero or not finite, the sum over the faces around the
    vertex of face normal times angle at the vertex (or times area) takes its place. A triangle is degenerate if an edge
-   has no length or the sine of the angle at its second corner is at most eps: scale plays no role, tiny and huge meshes are
-   as good as any other.
+   has no length or the sine of the angle at its second corner is at most eps: scale plays no role, tiny and huge meshes
+   are as good as any other.
    Errors: PRT_ERR_COUNT (a count below 0, an index >= vertex_count); PRT_ERR_NULL; PRT_ERR_VALUE (a position is not
    finite). Cost: about 100 ns a triangle. */
 PRTDEF prt_result prt_points_from_vertices(const prt_mesh *mesh, prt_point *points, prt_mesh_report *report);
@@ -224,8 +225,9 @@ PRTDEF size_t prt_bake_scratch_size(int bands);
    touched, and no other point is read. Without a tracer the same rays are sampled, all open.
 
    T_i = (1/pi) int V(w) max(0, N.w) Y_i(w) dw, estimated as (1/samples) sum_k V(w_k) Y_i(w_k) over cosine-distributed
-   w_k (prt_sample_directions): unbiased for any number of rays. T_0 is exactly Y(0,0) times the open share of the rays.
-   V(w) = 0 where the tracer finds anything on the ray from position + bias * N in direction w.
+   w_k (prt_sample_directions): unbiased for any number of rays. T_0 is Y(0,0) times the open share of the rays.
+   V(w) = 0 where the tracer finds anything on the ray from position + bias * N in direction w. In float a bias below
+   6e-8 of a coordinate is lost: give scene_radius, and keep the origin of coordinates near the scene.
 
    The bits of a row depend on desc, point_count, its point and its index alone: not on the range, nor on threads.
    Errors, checked in this order, before anything is written: PRT_ERR_NULL (desc); PRT_ERR_BANDS; PRT_ERR_COUNT
@@ -240,9 +242,8 @@ PRTDEF prt_result prt_bake_transfer(const prt_bake_desc *desc, int point_count, 
 
 /* Two bakes a, b of the same points with different seeds, [point_count][bands^2] each: mean = (a + b)/2, which has the
    noise of a bake with twice the rays, and error[point_count], the standard error of the mean at each point, estimated
-   as |a - b|/2 in the 2-norm of the coefficients: what exit radiance errs by under a light whose coefficients have norm 1
-   and the worst direction. One point's estimate is rough (one degree of freedom a coefficient); its root mean square
-   over points is good. mean or error may be NULL; mean may be a or b. NaN in, NaN out.
+   as |a - b|/2 in the 2-norm of the coefficients: what exit radiance errs by under the worst light of norm 1. For one
+   point it is rough; its root mean square over points is good. mean or error may be NULL; mean may be a or b.
    Errors: PRT_ERR_BANDS; PRT_ERR_COUNT; PRT_ERR_NULL (a or b with point_count > 0). Cost: one pass over both. */
 PRTDEF prt_result prt_bake_error(int bands, int point_count, const prt_real *a, const prt_real *b, prt_real *mean,
                                  prt_real *error);
@@ -560,6 +561,7 @@ PRT__INLINE double prt__ddot(const double *a, const double *b) { return a[0] * b
 
 PRT__STATIC void prt__box(const prt_mesh *mesh, prt_mesh_report *report) {
     double low[3] = { 0, 0, 0 }, high[3] = { 0, 0, 0 }, half[3];
+    double radius;
     prt_real centre[3];
     int k, c;
     for (k = 0; k < mesh->vertex_count; k++) {
@@ -575,18 +577,20 @@ PRT__STATIC void prt__box(const prt_mesh *mesh, prt_mesh_report *report) {
         centre[c] = (prt_real)(low[c] + half[c]);
     }
     report->centre = prt__vec3(centre[0], centre[1], centre[2]);
-    report->radius = (prt_real)prt__length(half);
+    radius = prt__length(half);
+    report->radius = radius < (double)PRT__REAL_MAX ? (prt_real)radius : PRT__REAL_MAX;
 }
 
-/* Adds the triangle's unit normal to its corners, by angle or by area in units of scale^2; 0 if it has no area. */
+/* Adds the triangle's unit normal, weighted by angle or by area in units of scale^2, to the normals of its corners, and
+   the weight to their position.x, which holds no position yet; 0 if the triangle has no area. scale is a power of 2. */
 PRT__STATIC int prt__add_face(const prt_mesh *mesh, const uint32_t *corner, double scale, prt_point *points) {
     double edge[3][3], unit[3][3], normal[3], cross[3];
     int k, area = 1;
     for (k = 0; k < 3; k++) {
         prt_vec3 a = mesh->positions[corner[k]], b = mesh->positions[corner[(k + 1) % 3]];
-        edge[k][0] = ((double)b.x - (double)a.x) / scale;
-        edge[k][1] = ((double)b.y - (double)a.y) / scale;
-        edge[k][2] = ((double)b.z - (double)a.z) / scale;
+        edge[k][0] = (double)b.x / scale - (double)a.x / scale;
+        edge[k][1] = (double)b.y / scale - (double)a.y / scale;
+        edge[k][2] = (double)b.z / scale - (double)a.z / scale;
         area &= prt__normalise(edge[k], unit[k]);
     }
     for (k = 0; k < 3; k++)
@@ -596,15 +600,16 @@ PRT__STATIC int prt__add_face(const prt_mesh *mesh, const uint32_t *corner, doub
     for (k = 0; k < 3; k++) {
         double weight = mesh->area_weighted ? prt__length(cross) * prt__length(edge[0]) * prt__length(edge[1])
                                             : acos(fmax(-1, fmin(1, -prt__ddot(unit[k], unit[(k + 2) % 3]))));
-        prt_vec3 *sum = &points[corner[k]].normal;
-        sum->x += (prt_real)(weight * normal[0]);
-        sum->y += (prt_real)(weight * normal[1]);
-        sum->z += (prt_real)(weight * normal[2]);
+        prt_point *sum = &points[corner[k]];
+        sum->normal.x += (prt_real)(weight * normal[0]);
+        sum->normal.y += (prt_real)(weight * normal[1]);
+        sum->normal.z += (prt_real)(weight * normal[2]);
+        sum->position.x += (prt_real)weight;
     }
     return 1;
 }
 
-/* The given normal if it is usable, else the sum that stands in the point, else +z. */
+/* The given normal if it is usable, else the sum that stands in the point if its faces do not cancel, else +z. */
 PRT__STATIC void prt__settle_normal(const prt_vec3 *given, prt_point *point, prt_mesh_report *report) {
     double v[3], unit[3];
     int ok = 0;
@@ -614,7 +619,7 @@ PRT__STATIC void prt__settle_normal(const prt_vec3 *given, prt_point *point, prt
     }
     if (!ok) {
         v[0] = (double)point->normal.x; v[1] = (double)point->normal.y; v[2] = (double)point->normal.z;
-        ok = prt__length(v) > 16 * (double)PRT__EPS && prt__normalise(v, unit);
+        ok = prt__length(v) > 16 * (double)PRT__EPS * (double)point->position.x && prt__normalise(v, unit);
         report->recomputed++;
         if (!ok) { report->without++; unit[0] = unit[1] = 0; unit[2] = 1; }
     }
@@ -625,19 +630,19 @@ PRTDEF prt_result prt_points_from_vertices(const prt_mesh *mesh, prt_point *poin
     prt_result r = prt__mesh_check(mesh, points);
     prt_mesh_report own;
     double scale;
-    int k;
+    int k, exponent;
     if (r != PRT_OK) return r;
     memset(&own, 0, sizeof own);
     prt__box(mesh, &own);
-    scale = own.radius > 0 ? (double)own.radius : 1;
-    for (k = 0; k < mesh->vertex_count; k++) {
-        points[k].position = mesh->positions[k];
-        points[k].normal = prt__vec3(0, 0, 0);
-    }
+    frexp(own.radius > 0 ? (double)own.radius : 1, &exponent);
+    scale = ldexp(1, exponent - 1);
+    for (k = 0; k < mesh->vertex_count; k++) points[k].position = points[k].normal = prt__vec3(0, 0, 0);
     for (k = 0; k < mesh->triangle_count; k++)
         own.degenerate += !prt__add_face(mesh, mesh->triangles + (size_t)k * 3, scale, points);
-    for (k = 0; k < mesh->vertex_count; k++)
+    for (k = 0; k < mesh->vertex_count; k++) {
         prt__settle_normal(mesh->normals ? &mesh->normals[k] : 0, &points[k], &own);
+        points[k].position = mesh->positions[k];
+    }
     if (report) *report = own;
     return PRT_OK;
 }
