@@ -55,6 +55,7 @@ want "test fuzz"  libclang-rt-dev          fuzzer
 want "test"       gcc-i686-linux-gnu       cmd i686-linux-gnu-gcc
 want "test"       g++-i686-linux-gnu       cmd i686-linux-gnu-g++
 need "bench"      python3                  cmd python3
+want "test bench" valgrind                 hdr valgrind/callgrind.h
 want "bench"      gnuplot-nox              cmd gnuplot
 
 read -ra packages <<<"$(printf '%s\n' "${missing[@]}" "${optional[@]}" | sort -u | tr '\n' ' ')"
