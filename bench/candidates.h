@@ -53,5 +53,14 @@ EACH (rotate_by,    "rotate_by", "prt_sh_rotate_by",    ALL, 16,    prt_sh_rotat
 BATCH(rotate_by_n,  "rotate_by_n", "prt_sh_rotate_by_n", ALL, ITEMS, prt_sh_rotate_by_n(n, BLOCKS, items, ROWS, OUT), BLOCK_FLOPS, n * n, n * n)
 BATCH(rotate_by_soa, "rotate_by_n", "prt_sh_rotate_by_soa", ALL, ITEMS, prt_sh_rotate_by_soa(n, BLOCKS, items, ROWS, OUT, (size_t)items), BLOCK_FLOPS, n * n, n * n)
 
+/* >>ch: the same recurrence with other factors */
+EACH (ch_eval,      "ch_eval",  "prt_ch_eval",          ALL, ITEMS, prt_ch_eval(n, DIR(k), OUT), EVAL_FLOPS, 3, n * n)
+BATCH(ch_eval_n,    "ch_eval_n", "prt_ch_eval_n",       LOW, ITEMS, prt_ch_eval_n(n, items, DIRS, OUT), EVAL_FLOPS, 3, n * n)
+BATCH(ch_eval_soa,  "ch_eval_soa", "prt_ch_eval_soa",   LOW, ITEMS, prt_ch_eval_soa(n, items, X, Y, Z, OUT, (size_t)items), EVAL_FLOPS, 3, n * n)
+EACH (ch_at,        "ch_at",    "prt_ch_at",            LOW, ITEMS, OUT[0] = prt_ch_at(n, F, DIR(k)), EVAL_FLOPS + 2.0 * n * n, 3 + n * n, 1)
+EACH (ch_from_sh,   "ch_from_sh", "prt_ch_from_sh",     LOW, 64,    prt_ch_from_sh(n, F, OUT), 0, n * n, n * n)
+EACH (sh_from_ch,   "sh_from_ch", "prt_sh_from_ch",     LOW, 64,    prt_sh_from_ch(n, F, OUT), 0, n * n, n * n)
+EACH (ch_dot,       "ch_dot",   "prt_ch_dot",           LOW, 64,    OUT[0] = prt_ch_dot(n, F, G), 0, 2 * n * n, 1)
+
 /* >>shade */
 BATCH(diffuse_n,    "diffuse_n", "prt_shade_diffuse_n", LOW, 1024,  prt_shade_diffuse_n(n, items, ROWS, F, (prt_rgb *)OUT), 6.0 * n * n, n * n, 3)

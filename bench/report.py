@@ -38,6 +38,13 @@ TITLES = {
     "rotation": "Build rotation matrices (`prt_sh_rotation`)",
     "rotate_by": "Rotate one vector by built matrices (`prt_sh_rotate_by`)",
     "rotate_by_n": "Rotate many vectors by built matrices",
+    "ch_eval": "Evaluate cpherical harmonics in one direction (`prt_ch_eval`)",
+    "ch_eval_n": "Evaluate cpherical harmonics in many directions, row by row (`prt_ch_eval_n`)",
+    "ch_eval_soa": "Evaluate cpherical harmonics, coefficient by coefficient (`prt_ch_eval_soa`)",
+    "ch_at": "Reconstruct from cpherical coefficients (`prt_ch_at`)",
+    "ch_from_sh": "Spherical to cpherical coefficients (`prt_ch_from_sh`)",
+    "sh_from_ch": "Cpherical to spherical coefficients (`prt_sh_from_ch`)",
+    "ch_dot": "Integrate a product of cpherical functions (`prt_ch_dot`)",
     "diffuse_n": "Shade from transfer, three colours (`prt_shade_diffuse_n`)",
 }
 
