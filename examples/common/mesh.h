@@ -1,0 +1,37 @@
+/* mesh: triangles from a file (OBJ, PLY, glTF, 3DS and whatever else assimp reads), ready to bake and to draw.
+
+   The whole scene of the file becomes one indexed mesh: node transforms applied, vertices merged where position and
+   normal agree, polygons cut into triangles, points and lines left out. Files are taken as y-up, as assimp hands them
+   over, and turned to this project's z-up: (x, y, z) -> (x, -z, y); MESH_Z_UP leaves them. */
+#ifndef EXAMPLES_MESH_H
+#define EXAMPLES_MESH_H
+
+#include <stdint.h>
+
+#include "prt_bake.h"
+#include "why.h"
+
+typedef struct mesh {
+    int       point_count, triangle_count;
+    prt_point *points;                 /* position and unit normal of each vertex */
+    uint32_t  *triangles;              /* three vertices each */
+    prt_mesh_report report;            /* normals that were computed, triangles without area (kept), extent */
+} mesh;
+
+typedef enum mesh_up { MESH_Y_UP = 0, MESH_Z_UP } mesh_up;
+
+/* Loads a file. Refuses what cannot be read, has no triangles, or has a position that is not finite. 0, or -1 and w. */
+int  mesh_load(const char *path, mesh_up up, mesh *m, why *w);
+void mesh_free(mesh *m);
+
+/* Moves and scales to a bounding sphere of radius 1 about the origin (the middle of the bounding box). A mesh without
+   extent is refused. */
+int  mesh_fit_unit_sphere(mesh *m, why *w);
+
+/* Adds a round floor under the lowest point, with normal +z: rings of neighbouring triangles, `spacing` apart. */
+int  mesh_add_floor(mesh *m, prt_vec3 centre, prt_real radius, prt_real spacing, why *w);
+
+/* FNV-1a, 64 bits, of positions and normals as little-endian floats and of the triangles. */
+uint64_t mesh_hash(const mesh *m);
+
+#endif
