@@ -5,6 +5,7 @@
 # Whatever is already there, from Debian's packages or from elsewhere, is left alone. With apt and root (or sudo without
 # a password) the rest is installed; otherwise one line says what to install. Exit code 1: something necessary is missing.
 set -u
+cache=$(cd "$(dirname "$0")" && pwd)/.cache
 
 list=0
 [ "${1:-}" = --list ] && { list=1; shift; }
@@ -28,6 +29,25 @@ missing=() optional=()
 wanted() { local group; for group in $1; do [[ $groups == *" $group "* ]] && return 0; done; return 1; }
 need() { local in=$1 package=$2; shift 2; wanted "$in" || return 0; [ $list = 0 ] && "$@" || missing+=("$package"); }
 want() { local in=$1 package=$2; shift 2; wanted "$in" || return 0; [ $list = 0 ] && "$@" || optional+=("$package"); }
+
+# The test libraries for 32-bit x86, unpacked into .cache/i386: as packages they would need a second architecture enabled
+# on the whole system. Only downloads from the distribution's own archive; the 32-bit tests are skipped without it.
+libraries_for_32_bit() {
+    wanted test && [ ! -e "$cache/i386/usr/include/mpfr.h" ] && cmd i686-linux-gnu-gcc && cmd apt-get && cmd dpkg-deb || return 0
+    echo "deps.sh: unpacking the 32-bit test libraries into .cache/i386"
+    local work; work=$(mktemp -d) || return 0
+    (
+        set -e
+        cd "$work"; mkdir -p state/lists/partial cache/archives/partial root; touch state/status
+        apt=(apt-get -qq -o APT::Architecture=i386 -o APT::Architectures::=i386 -o Dir::State="$work/state"
+             -o Dir::State::status="$work/state/status" -o Dir::Cache="$work/cache" -o APT::Sandbox::User=)
+        "${apt[@]}" update || true
+        "${apt[@]}" download libcmocka-dev libcmocka0 libmpfr-dev libgmp-dev
+        for package in *.deb; do dpkg-deb -x "$package" root; done
+        mkdir -p "$cache"; rm -rf "$cache/i386"; mv root "$cache/i386"
+    ) >/dev/null 2>&1 || echo "deps.sh: they are not to be had; the 32-bit tests will be skipped" >&2
+    rm -rf "$work"
+}
 
 every="demo test bench fuzz"
 need "$every"     gcc                      cmd cc
@@ -53,14 +73,14 @@ want "test"       libcglm-dev              hdr cglm/cglm.h
 want "test fuzz"  clang                    cmd clang
 want "test fuzz"  libclang-rt-dev          fuzzer
 want "test"       gcc-i686-linux-gnu       cmd i686-linux-gnu-gcc
-want "test"       g++-i686-linux-gnu       cmd i686-linux-gnu-g++
+want "test"       libc6-i386               test -e /lib/ld-linux.so.2
 need "bench"      python3                  cmd python3
 want "test bench" valgrind                 hdr valgrind/callgrind.h
 want "bench"      gnuplot-nox              cmd gnuplot
 
 read -ra packages <<<"$(printf '%s\n' "${missing[@]}" "${optional[@]}" | sort -u | tr '\n' ' ')"
 if [ $list = 1 ]; then printf '%s\n' "${packages[@]}"; exit 0; fi
-[ ${#packages[@]} = 0 ] && exit 0
+if [ ${#packages[@]} = 0 ]; then libraries_for_32_bit; exit 0; fi
 
 root=()
 if [ "$(id -u)" != 0 ]; then root=(sudo -n); fi
@@ -68,7 +88,8 @@ if cmd apt-get && { [ "$(id -u)" = 0 ] || sudo -n true 2>/dev/null; }; then
     echo "deps.sh: installing ${packages[*]}"
     export DEBIAN_FRONTEND=noninteractive
     install=("${root[@]}" apt-get install -y --no-install-recommends "${packages[@]}")
-    "${install[@]}" >/dev/null 2>&1 || { "${root[@]}" apt-get update >/dev/null && "${install[@]}" >/dev/null; } && exit 0
+    "${install[@]}" >/dev/null 2>&1 || { "${root[@]}" apt-get update >/dev/null && "${install[@]}" >/dev/null; } &&
+        { libraries_for_32_bit; exit 0; }
     echo "deps.sh: apt-get could not install: ${packages[*]}" >&2
 else
     echo "deps.sh: please install (Debian's names): ${packages[*]}" >&2
