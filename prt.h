@@ -435,7 +435,7 @@ PRTDEF double prt_sh_triple(int l1, int m1, int l2, int m2, int l3, int m3);
 
 /* A(l,m), with sqrt 2 folded in for m != 0 as in the thesis' table; the sign of m does not matter. 0 unless |m| <= l < 65536.
    Closed form for every l and m, an open point of the thesis: A = K(l,m) / (t(l,0) sqrt H(l,m)), where t and H are the
-   expansion of T_l in Legendre polynomials. Relative error 3e-16 to l = 64 (tests/test_ch.c); underflows to 0 from
+   expansion of T_l in Legendre polynomials. Relative error 2.3e-16 to l = 64 (tests/test_ch.c); underflows to 0 from
    about l = m = 150. Cost: O(l) multiplications and divisions. */
 PRTDEF double prt_ch_norm(int l, int m);
 
@@ -443,8 +443,9 @@ PRTDEF double prt_ch_norm(int l, int m);
    prt_sh_eval, prt_sh_eval_n and prt_sh_eval_soa in shapes, errors, cost and determinism. Straight-line kernels to 10
    bands with the same operation counts as SH's; above, the recurrence
      C(l) = a z C(l-1) - c C(l-2),   a = a_SH sqrt(H(l-1,m)/H(l,m)),   c = a(l) a(l-1) (l+m-2)(l-1-m) / (4(l-2)(l-1)),
-   from C(m,m) = Y(m,m), with a from a table to 64 bands; beyond, O(l) for each a. Absolute error float/double:
-   2.5e-6/6e-15 to 14 bands, 1.2e-5/3e-14 to 33 (tests/test_ch.c). */
+   from C(m,m) = Y(m,m), with a from a table to 64 bands; beyond, O(l) for each a. Time 0.95 to 1.06 times SH's (bench job
+   ch_eval). Absolute error float/double, with that of the direction's length: 1.7e-6/4e-15 to 10 bands, 3.3e-6/6e-15 to
+   14, 1.7e-5/4e-14 to 33, 8e-5/2e-13 to 64 (tests/test_ch.c). */
 PRTDEF prt_result prt_ch_eval    (int bands, prt_vec3 dir, prt_real *c);
 PRTDEF prt_result prt_ch_eval_n  (int bands, int count, const prt_vec3 *dirs, prt_real *c);
 PRTDEF prt_result prt_ch_eval_soa(int bands, int count, const prt_real *x, const prt_real *y, const prt_real *z,
@@ -453,8 +454,9 @@ PRTDEF prt_result prt_ch_eval_soa(int bands, int count, const prt_real *x, const
 PRTDEF prt_real   prt_ch_at      (int bands, const prt_real *f, prt_vec3 dir);
 
 /* The same function in the other basis, and moments to and from coefficients; bands^2 numbers each, out may alias in.
-   Well conditioned: the Gram matrix has condition 0.87 bands. Relative error, of the norm, 1e-7/3e-16 at 16 bands.
-   Errors: PRT_ERR_BANDS, PRT_ERR_NULL. Cost: bands^3/3 multiply-adds and the rows of S; from and to moments, twice. */
+   Well conditioned: the Gram matrix has condition 0.87 bands. Error, of the norm, 6e-8 float, 2e-16 double at 16 bands.
+   Errors: PRT_ERR_BANDS, PRT_ERR_NULL. Cost: bands^3/6 multiply-adds and the rows of S (3.4 us at 16 bands on a Zen 5
+   core at 4.1 GHz, bench job ch_from_sh); from and to moments, twice. */
 PRTDEF prt_result prt_ch_from_sh     (int bands, const prt_real *sh, prt_real *ch);       /* a = S^-T f */
 PRTDEF prt_result prt_sh_from_ch     (int bands, const prt_real *ch, prt_real *sh);       /* f = S^T a */
 PRTDEF prt_result prt_ch_from_moments(int bands, const prt_real *moments, prt_real *ch);  /* a = S^-T S^-1 moments */
@@ -672,7 +674,7 @@ enum { PRT__SH_KERNELS = 10, PRT__ROOTS = 128 };               /* generated: str
 typedef void prt__sh_kernel(prt_real x, prt_real y, prt_real z, prt_real *PRT__RESTRICT out);
 typedef void prt__sh_kernel_v(int vectors, const prt_real *x, const prt_real *y, const prt_real *z,
                               prt_real *PRT__RESTRICT out, size_t stride);
-typedef void prt__sh_kernel_at(prt_real x, prt_real y, prt_real z, const prt_real *f, prt_real *PRT__RESTRICT out);
+typedef void prt__sh_kernel_at(const prt_real *f, prt_real x, prt_real y, prt_real z, prt_real *PRT__RESTRICT out);
 static prt__sh_kernel prt__sh_eval_1, prt__sh_eval_2, prt__sh_eval_3, prt__sh_eval_4, prt__sh_eval_5,
                       prt__sh_eval_6, prt__sh_eval_7, prt__sh_eval_8, prt__sh_eval_9, prt__sh_eval_10;
 static prt__sh_kernel_v prt__sh_eval_1_v, prt__sh_eval_2_v, prt__sh_eval_3_v, prt__sh_eval_4_v, prt__sh_eval_5_v,
@@ -1047,7 +1049,7 @@ PRT__INLINE prt_real prt__at(const prt__basis *basis, int bands, const prt_real 
     prt_real sum;
     if (!prt__bands_ok(bands) || !f) return 0;
     if (bands > PRT__SH_KERNELS) return basis->recurrence(bands, dir, f, NULL, 1);
-    basis->kernels_at[bands - 1](dir.x, dir.y, dir.z, f, &sum);
+    basis->kernels_at[bands - 1](f, dir.x, dir.y, dir.z, &sum);
     return sum;
 }
 
@@ -2590,9 +2592,10 @@ PRT__STATIC int prt__ch_row(int l, int m, double *row) {
     return count;
 }
 
-/* a(l,m) a(l-1,m) times this is c(l,m) */
+/* a(l,m) a(l-1,m) times this is c(l,m): (l+m-2)(l-1-m) / (4(l-2)(l-1)), and 1/2 at l = 2 */
 PRT__INLINE double prt__ch_fraction(int l, int m) {
-    return l == 2 ? 0.5 : (double)((l + m - 2) * (l - 1 - m)) / (double)(4 * (l - 2) * (l - 1));
+    double under = prt__inverse_root(l - 2) * prt__inverse_root(l - 1);
+    return l == 2 ? 0.5 : 0.25 * (double)((l + m - 2) * (l - 1 - m)) * (under * under);
 }
 
 PRT__STATIC double prt__ch_far_step(int l, int m) {
@@ -2903,7 +2906,7 @@ PRTDEF prt_result prt_reference_project(int bands, int nodes, prt_function *f, v
 /* sqrt(k) for k = 0 ... 127 */
 PRT__STATIC const double *prt__roots(void) {
     static const double table[128] = {
-        0, 1.0, 1.4142135623730950488, 1.7320508075688772935, 2.0, 2.2360679774997896964, 2.4494897427831780982,
+        0.0, 1.0, 1.4142135623730950488, 1.7320508075688772935, 2.0, 2.2360679774997896964, 2.4494897427831780982,
         2.6457513110645905905, 2.8284271247461900976, 3.0, 3.162277660168379332, 3.3166247903553998491,
         3.4641016151377545871, 3.6055512754639892931, 3.7416573867739413856, 3.8729833462074168852,
         4.0, 4.1231056256176605498, 4.2426406871192851464, 4.3588989435406735522, 4.4721359549995793928,
@@ -2939,37 +2942,37 @@ PRT__STATIC const double *prt__roots(void) {
 /* 1/sqrt(k), and 0 for k = 0 ... 127 */
 PRT__STATIC const double *prt__inverse_roots(void) {
     static const double table[128] = {
-        0, 1.0, 0.7071067811865475244, 0.57735026918962576451, 0.5, 0.44721359549995793928, 0.40824829046386301637,
-        0.37796447300922722721, 0.3535533905932737622, 0.33333333333333333333, 0.3162277660168379332,
-        0.30151134457776362265, 0.28867513459481288225, 0.27735009811261456101, 0.26726124191242438468,
-        0.25819888974716112568, 0.25, 0.24253562503633297352, 0.23570226039551584147, 0.22941573387056176591,
-        0.22360679774997896964, 0.21821789023599238127, 0.2132007163556104343, 0.20851441405707476268,
-        0.20412414523193150818, 0.2, 0.19611613513818403192, 0.19245008972987525484, 0.18898223650461361361,
-        0.18569533817705186315, 0.18257418583505537115, 0.17960530202677490071, 0.1767766952966368811,
-        0.17407765595569783818, 0.17149858514250883738, 0.1690308509457033155, 0.16666666666666666667,
-        0.16439898730535728889, 0.16222142113076253816, 0.16012815380508713348, 0.1581138830084189666,
-        0.15617376188860606552, 0.15430334996209191026, 0.15249857033260466633, 0.15075567228888181132,
-        0.14907119849998597976, 0.14744195615489713346, 0.14586499149789455585, 0.14433756729740644113,
-        0.14285714285714285714, 0.14142135623730950488, 0.14002800840280098035, 0.1386750490563072805,
-        0.13736056394868902398, 0.13608276348795433879, 0.13483997249264841725, 0.13363062095621219234,
-        0.13245323570650438065, 0.13130643285972255665, 0.13018891098082386739, 0.12909944487358056284,
-        0.12803687993289597367, 0.12700012700019050032, 0.12598815766974240907, 0.125, 0.12403473458920845619,
-        0.12309149097933273273, 0.12216944435630522343, 0.12126781251816648676, 0.12038585308576920076,
-        0.119522860933439364, 0.11867816581938533283, 0.11785113019775792073, 0.11704114719613056394,
-        0.1162476387438192807, 0.1154700538379251529, 0.11470786693528088295, 0.11396057645963794884,
-        0.11322770341445957506, 0.11250879009260239051, 0.11180339887498948482, 0.11111111111111111111,
-        0.11043152607484654423, 0.10976425998969034798, 0.10910894511799619063, 0.108465228909328086,
-        0.10783277320343841573, 0.10721125348377948328, 0.10660035817780521715, 0.10599978800063599788,
-        0.10540925533894597773, 0.10482848367219182958, 0.10425720702853738134, 0.10369516947304252684,
-        0.10314212462587934072, 0.10259783520851540955, 0.10206207261596575409, 0.10153461651336190435,
-        0.10101525445522107491, 0.10050378152592120755, 0.1, 0.099503719020998913567, 0.099014754297667430915,
-        0.09853292781642931523, 0.098058067569092015962, 0.097590007294853317935, 0.097128586235726418074,
-        0.09667364890456635953, 0.096225044864937627418, 0.095782628522115139264, 0.095346258924559231545,
-        0.094915799575249899535, 0.094491118252306806804, 0.094072086838359729274, 0.093658581158169396586,
-        0.093250480824031376564, 0.092847669088525931573, 0.09245003270420485367, 0.092057461789832336643,
-        0.091669849702821129508, 0.091287092917527685576, 0.090909090909090909091, 0.090535746042518530936,
-        0.09016696346674322896, 0.089802651013387450357, 0.089442719099991587856, 0.089087080637474794895,
-        0.08873565094161137703
+        0.0, 1.0, 0.7071067811865475244, 0.57735026918962576451, 0.5, 0.44721359549995793928,
+        0.40824829046386301637, 0.37796447300922722721, 0.3535533905932737622, 0.33333333333333333333,
+        0.3162277660168379332, 0.30151134457776362265, 0.28867513459481288225, 0.27735009811261456101,
+        0.26726124191242438468, 0.25819888974716112568, 0.25, 0.24253562503633297352, 0.23570226039551584147,
+        0.22941573387056176591, 0.22360679774997896964, 0.21821789023599238127, 0.2132007163556104343,
+        0.20851441405707476268, 0.20412414523193150818, 0.2, 0.19611613513818403192, 0.19245008972987525484,
+        0.18898223650461361361, 0.18569533817705186315, 0.18257418583505537115, 0.17960530202677490071,
+        0.1767766952966368811, 0.17407765595569783818, 0.17149858514250883738, 0.1690308509457033155,
+        0.16666666666666666667, 0.16439898730535728889, 0.16222142113076253816, 0.16012815380508713348,
+        0.1581138830084189666, 0.15617376188860606552, 0.15430334996209191026, 0.15249857033260466633,
+        0.15075567228888181132, 0.14907119849998597976, 0.14744195615489713346, 0.14586499149789455585,
+        0.14433756729740644113, 0.14285714285714285714, 0.14142135623730950488, 0.14002800840280098035,
+        0.1386750490563072805, 0.13736056394868902398, 0.13608276348795433879, 0.13483997249264841725,
+        0.13363062095621219234, 0.13245323570650438065, 0.13130643285972255665, 0.13018891098082386739,
+        0.12909944487358056284, 0.12803687993289597367, 0.12700012700019050032, 0.12598815766974240907,
+        0.125, 0.12403473458920845619, 0.12309149097933273273, 0.12216944435630522343, 0.12126781251816648676,
+        0.12038585308576920076, 0.119522860933439364, 0.11867816581938533283, 0.11785113019775792073,
+        0.11704114719613056394, 0.1162476387438192807, 0.1154700538379251529, 0.11470786693528088295,
+        0.11396057645963794884, 0.11322770341445957506, 0.11250879009260239051, 0.11180339887498948482,
+        0.11111111111111111111, 0.11043152607484654423, 0.10976425998969034798, 0.10910894511799619063,
+        0.108465228909328086, 0.10783277320343841573, 0.10721125348377948328, 0.10660035817780521715,
+        0.10599978800063599788, 0.10540925533894597773, 0.10482848367219182958, 0.10425720702853738134,
+        0.10369516947304252684, 0.10314212462587934072, 0.10259783520851540955, 0.10206207261596575409,
+        0.10153461651336190435, 0.10101525445522107491, 0.10050378152592120755, 0.1, 0.099503719020998913567,
+        0.099014754297667430915, 0.09853292781642931523, 0.098058067569092015962, 0.097590007294853317935,
+        0.097128586235726418074, 0.09667364890456635953, 0.096225044864937627418, 0.095782628522115139264,
+        0.095346258924559231545, 0.094915799575249899535, 0.094491118252306806804, 0.094072086838359729274,
+        0.093658581158169396586, 0.093250480824031376564, 0.092847669088525931573, 0.09245003270420485367,
+        0.092057461789832336643, 0.091669849702821129508, 0.091287092917527685576, 0.090909090909090909091,
+        0.090535746042518530936, 0.09016696346674322896, 0.089802651013387450357, 0.089442719099991587856,
+        0.089087080637474794895, 0.08873565094161137703
     };
     return table;
 }
@@ -2986,7 +2989,7 @@ PRT__STATIC void prt__sh_eval_1(prt_real x, prt_real y, prt_real z, prt_real *PR
 }
 
 /* SH basis, 1 band: 0 multiplications, 0 additions (0 can fuse), 1 stores */
-PRT__INLINE void prt__sh_eval_1_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out,
+PRT__INLINE void prt__sh_eval_1_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, 
     size_t stride, int first, int last) {
     (void)x;
     (void)y;
@@ -3011,7 +3014,7 @@ PRT__STATIC void prt__sh_eval_2(prt_real x, prt_real y, prt_real z, prt_real *PR
 }
 
 /* SH basis, 2 bands: 3 multiplications, 0 additions (0 can fuse), 4 stores */
-PRT__INLINE void prt__sh_eval_2_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out,
+PRT__INLINE void prt__sh_eval_2_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, 
     size_t stride, int first, int last) {
     if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
     if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
@@ -3036,13 +3039,13 @@ PRT__STATIC void prt__sh_eval_3(prt_real x, prt_real y, prt_real z, prt_real *PR
     const prt_real t1 = PRT__R(1.09254843059207907054) * z;
     out[5] = y * t1;
     out[7] = x * t1;
-    const prt_real t2 = x * y;
+    const prt_real t2 = y * x;
     out[4] = PRT__R(0.546274215296039535272) * (t2 + t2);
-    out[8] = PRT__R(0.546274215296039535272) * ((x + y) * (x - y));
+    out[8] = PRT__R(0.546274215296039535272) * ((y + x) * (x - y));
 }
 
 /* SH basis, 3 bands: 12 multiplications, 4 additions (1 can fuse), 9 stores */
-PRT__INLINE void prt__sh_eval_3_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out,
+PRT__INLINE void prt__sh_eval_3_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, 
     size_t stride, int first, int last) {
     if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
     if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
@@ -3053,10 +3056,10 @@ PRT__INLINE void prt__sh_eval_3_part(prt__vec x, prt__vec y, prt__vec z, prt_rea
     const prt__vec t1 = PRT__R(1.09254843059207907054) * z;
     if (first <= 5 && 5 < last) prt__vec_store(out + 5 * stride, y * t1);
     if (first <= 6 && 6 < last) prt__vec_store(out + 7 * stride, x * t1);
-    const prt__vec t2 = x * y;
+    const prt__vec t2 = y * x;
     if (first <= 7 && 7 < last) prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * (t2 + t2));
     if (first <= 8 && 8 < last)
-        prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * ((x + y) * (x - y)));
+        prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * ((y + x) * (x - y)));
 }
 
 PRT__STATIC void prt__sh_eval_3_v(int vectors, const prt_real *x, const prt_real *y, const prt_real *z,
@@ -3084,10 +3087,10 @@ PRT__STATIC void prt__sh_eval_4(prt_real x, prt_real y, prt_real z, prt_real *PR
     const prt_real t4 = PRT__R(2.28522899732232868079) * t1 - PRT__R(0.457045799464465736158);
     out[11] = y * t4;
     out[13] = x * t4;
-    const prt_real t5 = x * y;
+    const prt_real t5 = y * x;
     const prt_real t6 = t5 + t5;
     out[4] = PRT__R(0.546274215296039535272) * t6;
-    const prt_real t7 = (x + y) * (x - y);
+    const prt_real t7 = (y + x) * (x - y);
     out[8] = PRT__R(0.546274215296039535272) * t7;
     const prt_real t8 = PRT__R(1.44530572132027702769) * z;
     out[10] = t6 * t8;
@@ -3099,7 +3102,7 @@ PRT__STATIC void prt__sh_eval_4(prt_real x, prt_real y, prt_real z, prt_real *PR
 }
 
 /* SH basis, 4 bands: 25 multiplications, 11 additions (3 can fuse), 16 stores */
-PRT__INLINE void prt__sh_eval_4_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out,
+PRT__INLINE void prt__sh_eval_4_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, 
     size_t stride, int first, int last) {
     if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
     if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
@@ -3116,10 +3119,10 @@ PRT__INLINE void prt__sh_eval_4_part(prt__vec x, prt__vec y, prt__vec z, prt_rea
     const prt__vec t4 = PRT__R(2.28522899732232868079) * t1 - PRT__R(0.457045799464465736158);
     if (first <= 8 && 8 < last) prt__vec_store(out + 11 * stride, y * t4);
     if (first <= 9 && 9 < last) prt__vec_store(out + 13 * stride, x * t4);
-    const prt__vec t5 = x * y;
+    const prt__vec t5 = y * x;
     const prt__vec t6 = t5 + t5;
     if (first <= 10 && 10 < last) prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t6);
-    const prt__vec t7 = (x + y) * (x - y);
+    const prt__vec t7 = (y + x) * (x - y);
     if (first <= 11 && 11 < last) prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t7);
     const prt__vec t8 = PRT__R(1.44530572132027702769) * z;
     if (first <= 12 && 12 < last) prt__vec_store(out + 10 * stride, t6 * t8);
@@ -3164,10 +3167,10 @@ PRT__STATIC void prt__sh_eval_5(prt_real x, prt_real y, prt_real z, prt_real *PR
     const prt_real t8 = z * t7;
     out[19] = y * t8;
     out[21] = x * t8;
-    const prt_real t9 = x * y;
+    const prt_real t9 = y * x;
     const prt_real t10 = t9 + t9;
     out[4] = PRT__R(0.546274215296039535272) * t10;
-    const prt_real t11 = (x + y) * (x - y);
+    const prt_real t11 = (y + x) * (x - y);
     out[8] = PRT__R(0.546274215296039535272) * t11;
     const prt_real t12 = PRT__R(1.44530572132027702769) * z;
     out[10] = t10 * t12;
@@ -3190,7 +3193,7 @@ PRT__STATIC void prt__sh_eval_5(prt_real x, prt_real y, prt_real z, prt_real *PR
 }
 
 /* SH basis, 5 bands: 41 multiplications, 18 additions (7 can fuse), 25 stores */
-PRT__INLINE void prt__sh_eval_5_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out,
+PRT__INLINE void prt__sh_eval_5_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, 
     size_t stride, int first, int last) {
     if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
     if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
@@ -3213,10 +3216,10 @@ PRT__INLINE void prt__sh_eval_5_part(prt__vec x, prt__vec y, prt__vec z, prt_rea
     const prt__vec t8 = z * t7;
     if (first <= 11 && 11 < last) prt__vec_store(out + 19 * stride, y * t8);
     if (first <= 12 && 12 < last) prt__vec_store(out + 21 * stride, x * t8);
-    const prt__vec t9 = x * y;
+    const prt__vec t9 = y * x;
     const prt__vec t10 = t9 + t9;
     if (first <= 13 && 13 < last) prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t10);
-    const prt__vec t11 = (x + y) * (x - y);
+    const prt__vec t11 = (y + x) * (x - y);
     if (first <= 14 && 14 < last) prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t11);
     const prt__vec t12 = PRT__R(1.44530572132027702769) * z;
     if (first <= 15 && 15 < last) prt__vec_store(out + 10 * stride, t10 * t12);
@@ -3282,10 +3285,10 @@ PRT__STATIC void prt__sh_eval_6(prt_real x, prt_real y, prt_real z, prt_real *PR
     const prt_real t12 = t8 * t11 - PRT__R(0.434828785147869044447);
     out[29] = y * t12;
     out[31] = x * t12;
-    const prt_real t13 = x * y;
+    const prt_real t13 = y * x;
     const prt_real t14 = t13 + t13;
     out[4] = PRT__R(0.546274215296039535272) * t14;
-    const prt_real t15 = (x + y) * (x - y);
+    const prt_real t15 = (y + x) * (x - y);
     out[8] = PRT__R(0.546274215296039535272) * t15;
     const prt_real t16 = PRT__R(1.44530572132027702769) * z;
     out[10] = t14 * t16;
@@ -3322,7 +3325,7 @@ PRT__STATIC void prt__sh_eval_6(prt_real x, prt_real y, prt_real z, prt_real *PR
 }
 
 /* SH basis, 6 bands: 64 multiplications, 25 additions (14 can fuse), 36 stores */
-PRT__INLINE void prt__sh_eval_6_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out,
+PRT__INLINE void prt__sh_eval_6_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, 
     size_t stride, int first, int last) {
     if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
     if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
@@ -3353,10 +3356,10 @@ PRT__INLINE void prt__sh_eval_6_part(prt__vec x, prt__vec y, prt__vec z, prt_rea
     const prt__vec t12 = t8 * t11 - PRT__R(0.434828785147869044447);
     if (first <= 14 && 14 < last) prt__vec_store(out + 29 * stride, y * t12);
     if (first <= 15 && 15 < last) prt__vec_store(out + 31 * stride, x * t12);
-    const prt__vec t13 = x * y;
+    const prt__vec t13 = y * x;
     const prt__vec t14 = t13 + t13;
     if (first <= 16 && 16 < last) prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t14);
-    const prt__vec t15 = (x + y) * (x - y);
+    const prt__vec t15 = (y + x) * (x - y);
     if (first <= 17 && 17 < last) prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t15);
     const prt__vec t16 = PRT__R(1.44530572132027702769) * z;
     if (first <= 18 && 18 < last) prt__vec_store(out + 10 * stride, t14 * t16);
@@ -3444,10 +3447,10 @@ PRT__STATIC void prt__sh_eval_7(prt_real x, prt_real y, prt_real z, prt_real *PR
     const prt_real t14 = PRT__R(2.02131498923702777609) * (z * t13) - PRT__R(0.995226703056238577025) * t11;
     out[41] = y * t14;
     out[43] = x * t14;
-    const prt_real t15 = x * y;
+    const prt_real t15 = y * x;
     const prt_real t16 = t15 + t15;
     out[4] = PRT__R(0.546274215296039535272) * t16;
-    const prt_real t17 = (x + y) * (x - y);
+    const prt_real t17 = (y + x) * (x - y);
     out[8] = PRT__R(0.546274215296039535272) * t17;
     const prt_real t18 = PRT__R(1.44530572132027702769) * z;
     out[10] = t16 * t18;
@@ -3503,7 +3506,7 @@ PRT__STATIC void prt__sh_eval_7(prt_real x, prt_real y, prt_real z, prt_real *PR
 }
 
 /* SH basis, 7 bands: 90 multiplications, 34 additions (20 can fuse), 49 stores */
-PRT__INLINE void prt__sh_eval_7_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out,
+PRT__INLINE void prt__sh_eval_7_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, 
     size_t stride, int first, int last) {
     if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
     if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
@@ -3539,10 +3542,10 @@ PRT__INLINE void prt__sh_eval_7_part(prt__vec x, prt__vec y, prt__vec z, prt_rea
     const prt__vec t14 = PRT__R(2.02131498923702777609) * (z * t13) - PRT__R(0.995226703056238577025) * t11;
     if (first <= 17 && 17 < last) prt__vec_store(out + 41 * stride, y * t14);
     if (first <= 18 && 18 < last) prt__vec_store(out + 43 * stride, x * t14);
-    const prt__vec t15 = x * y;
+    const prt__vec t15 = y * x;
     const prt__vec t16 = t15 + t15;
     if (first <= 19 && 19 < last) prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t16);
-    const prt__vec t17 = (x + y) * (x - y);
+    const prt__vec t17 = (y + x) * (x - y);
     if (first <= 20 && 20 < last) prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t17);
     const prt__vec t18 = PRT__R(1.44530572132027702769) * z;
     if (first <= 21 && 21 < last) prt__vec_store(out + 10 * stride, t16 * t18);
@@ -3657,10 +3660,10 @@ PRT__STATIC void prt__sh_eval_8(prt_real x, prt_real y, prt_real z, prt_real *PR
     const prt_real t16 = PRT__R(2.01556443707463741309) * (z * t15) - PRT__R(0.997155044021832052319) * t14;
     out[55] = y * t16;
     out[57] = x * t16;
-    const prt_real t17 = x * y;
+    const prt_real t17 = y * x;
     const prt_real t18 = t17 + t17;
     out[4] = PRT__R(0.546274215296039535272) * t18;
-    const prt_real t19 = (x + y) * (x - y);
+    const prt_real t19 = (y + x) * (x - y);
     out[8] = PRT__R(0.546274215296039535272) * t19;
     const prt_real t20 = PRT__R(1.44530572132027702769) * z;
     out[10] = t18 * t20;
@@ -3737,7 +3740,7 @@ PRT__STATIC void prt__sh_eval_8(prt_real x, prt_real y, prt_real z, prt_real *PR
 }
 
 /* SH basis, 8 bands: 123 multiplications, 43 additions (29 can fuse), 64 stores */
-PRT__INLINE void prt__sh_eval_8_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out,
+PRT__INLINE void prt__sh_eval_8_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, 
     size_t stride, int first, int last) {
     if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
     if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
@@ -3778,10 +3781,10 @@ PRT__INLINE void prt__sh_eval_8_part(prt__vec x, prt__vec y, prt__vec z, prt_rea
     const prt__vec t16 = PRT__R(2.01556443707463741309) * (z * t15) - PRT__R(0.997155044021832052319) * t14;
     if (first <= 20 && 20 < last) prt__vec_store(out + 55 * stride, y * t16);
     if (first <= 21 && 21 < last) prt__vec_store(out + 57 * stride, x * t16);
-    const prt__vec t17 = x * y;
+    const prt__vec t17 = y * x;
     const prt__vec t18 = t17 + t17;
     if (first <= 22 && 22 < last) prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t18);
-    const prt__vec t19 = (x + y) * (x - y);
+    const prt__vec t19 = (y + x) * (x - y);
     if (first <= 23 && 23 < last) prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t19);
     const prt__vec t20 = PRT__R(1.44530572132027702769) * z;
     if (first <= 24 && 24 < last) prt__vec_store(out + 10 * stride, t18 * t20);
@@ -3925,10 +3928,10 @@ PRT__STATIC void prt__sh_eval_9(prt_real x, prt_real y, prt_real z, prt_real *PR
     const prt_real t18 = PRT__R(2.01186954040739123146) * (z * t17) - PRT__R(0.998166817890174275952) * t16;
     out[71] = y * t18;
     out[73] = x * t18;
-    const prt_real t19 = x * y;
+    const prt_real t19 = y * x;
     const prt_real t20 = t19 + t19;
     out[4] = PRT__R(0.546274215296039535272) * t20;
-    const prt_real t21 = (x + y) * (x - y);
+    const prt_real t21 = (y + x) * (x - y);
     out[8] = PRT__R(0.546274215296039535272) * t21;
     const prt_real t22 = PRT__R(1.44530572132027702769) * z;
     out[10] = t20 * t22;
@@ -4030,7 +4033,7 @@ PRT__STATIC void prt__sh_eval_9(prt_real x, prt_real y, prt_real z, prt_real *PR
 }
 
 /* SH basis, 9 bands: 159 multiplications, 54 additions (37 can fuse), 81 stores */
-PRT__INLINE void prt__sh_eval_9_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out,
+PRT__INLINE void prt__sh_eval_9_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, 
     size_t stride, int first, int last) {
     if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
     if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
@@ -4076,10 +4079,10 @@ PRT__INLINE void prt__sh_eval_9_part(prt__vec x, prt__vec y, prt__vec z, prt_rea
     const prt__vec t18 = PRT__R(2.01186954040739123146) * (z * t17) - PRT__R(0.998166817890174275952) * t16;
     if (first <= 23 && 23 < last) prt__vec_store(out + 71 * stride, y * t18);
     if (first <= 24 && 24 < last) prt__vec_store(out + 73 * stride, x * t18);
-    const prt__vec t19 = x * y;
+    const prt__vec t19 = y * x;
     const prt__vec t20 = t19 + t19;
     if (first <= 25 && 25 < last) prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t20);
-    const prt__vec t21 = (x + y) * (x - y);
+    const prt__vec t21 = (y + x) * (x - y);
     if (first <= 26 && 26 < last) prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t21);
     const prt__vec t22 = PRT__R(1.44530572132027702769) * z;
     if (first <= 27 && 27 < last) prt__vec_store(out + 10 * stride, t20 * t22);
@@ -4258,10 +4261,10 @@ PRT__STATIC void prt__sh_eval_10(prt_real x, prt_real y, prt_real z, prt_real *P
     const prt_real t20 = PRT__R(2.00935312974101194944) * (z * t19) - PRT__R(0.998749217771908945789) * t18;
     out[89] = y * t20;
     out[91] = x * t20;
-    const prt_real t21 = x * y;
+    const prt_real t21 = y * x;
     const prt_real t22 = t21 + t21;
     out[4] = PRT__R(0.546274215296039535272) * t22;
-    const prt_real t23 = (x + y) * (x - y);
+    const prt_real t23 = (y + x) * (x - y);
     out[8] = PRT__R(0.546274215296039535272) * t23;
     const prt_real t24 = PRT__R(1.44530572132027702769) * z;
     out[10] = t22 * t24;
@@ -4390,7 +4393,7 @@ PRT__STATIC void prt__sh_eval_10(prt_real x, prt_real y, prt_real z, prt_real *P
 }
 
 /* SH basis, 10 bands: 202 multiplications, 65 additions (48 can fuse), 100 stores */
-PRT__INLINE void prt__sh_eval_10_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out,
+PRT__INLINE void prt__sh_eval_10_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, 
     size_t stride, int first, int last) {
     if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
     if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
@@ -4441,10 +4444,10 @@ PRT__INLINE void prt__sh_eval_10_part(prt__vec x, prt__vec y, prt__vec z, prt_re
     const prt__vec t20 = PRT__R(2.00935312974101194944) * (z * t19) - PRT__R(0.998749217771908945789) * t18;
     if (first <= 26 && 26 < last) prt__vec_store(out + 89 * stride, y * t20);
     if (first <= 27 && 27 < last) prt__vec_store(out + 91 * stride, x * t20);
-    const prt__vec t21 = x * y;
+    const prt__vec t21 = y * x;
     const prt__vec t22 = t21 + t21;
     if (first <= 28 && 28 < last) prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t22);
-    const prt__vec t23 = (x + y) * (x - y);
+    const prt__vec t23 = (y + x) * (x - y);
     if (first <= 29 && 29 < last) prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t23);
     const prt__vec t24 = PRT__R(1.44530572132027702769) * z;
     if (first <= 30 && 30 < last) prt__vec_store(out + 10 * stride, t22 * t24);
@@ -4604,7 +4607,7 @@ PRT__STATIC void prt__sh_eval_10_v(int vectors, const prt_real *x, const prt_rea
 }
 
 /* SH value, 1 band: 1 multiplications, 0 additions (0 can fuse), 1 loads, 1 stores */
-PRT__STATIC void prt__sh_at_1(prt_real x, prt_real y, prt_real z, const prt_real *f, prt_real *PRT__RESTRICT out) {
+PRT__STATIC void prt__sh_at_1(const prt_real *f, prt_real x, prt_real y, prt_real z, prt_real *PRT__RESTRICT out) {
     (void)x;
     (void)y;
     (void)z;
@@ -4612,25 +4615,25 @@ PRT__STATIC void prt__sh_at_1(prt_real x, prt_real y, prt_real z, const prt_real
 }
 
 /* SH value, 2 bands: 7 multiplications, 3 additions (2 can fuse), 4 loads, 1 stores */
-PRT__STATIC void prt__sh_at_2(prt_real x, prt_real y, prt_real z, const prt_real *f, prt_real *PRT__RESTRICT out) {
+PRT__STATIC void prt__sh_at_2(const prt_real *f, prt_real x, prt_real y, prt_real z, prt_real *PRT__RESTRICT out) {
     const prt_real t1 = PRT__R(0.282094791773878143474) * f[0] + (PRT__R(0.488602511902919921586) * z) * f[2];
     const prt_real t2 = y * (PRT__R(0.488602511902919921586) * f[1]) + x * (PRT__R(0.488602511902919921586) * f[3]);
     out[0] = t1 + t2;
 }
 
 /* SH value, 3 bands: 19 multiplications, 12 additions (7 can fuse), 9 loads, 1 stores */
-PRT__STATIC void prt__sh_at_3(prt_real x, prt_real y, prt_real z, const prt_real *f, prt_real *PRT__RESTRICT out) {
+PRT__STATIC void prt__sh_at_3(const prt_real *f, prt_real x, prt_real y, prt_real z, prt_real *PRT__RESTRICT out) {
     const prt_real t1 = PRT__R(0.282094791773878143474) * f[0] + (PRT__R(0.488602511902919921586) * z) * f[2];
     const prt_real t2 = PRT__R(0.946174695757560018093) * (z * z) - PRT__R(0.315391565252520006031);
     const prt_real t3 = PRT__R(1.09254843059207907054) * z;
     const prt_real t4 = y * (PRT__R(0.488602511902919921586) * f[1] + t3 * f[5]) + x * (PRT__R(0.488602511902919921586) * f[3] + t3 * f[7]);
-    const prt_real t5 = x * y;
-    const prt_real t6 = ((x + y) * (x - y)) * (PRT__R(0.546274215296039535272) * f[8]);
+    const prt_real t5 = y * x;
+    const prt_real t6 = ((y + x) * (x - y)) * (PRT__R(0.546274215296039535272) * f[8]);
     out[0] = ((t1 + t2 * f[6]) + t4) + ((t5 + t5) * (PRT__R(0.546274215296039535272) * f[4]) + t6);
 }
 
 /* SH value, 4 bands: 35 multiplications, 26 additions (15 can fuse), 16 loads, 1 stores */
-PRT__STATIC void prt__sh_at_4(prt_real x, prt_real y, prt_real z, const prt_real *f, prt_real *PRT__RESTRICT out) {
+PRT__STATIC void prt__sh_at_4(const prt_real *f, prt_real x, prt_real y, prt_real z, prt_real *PRT__RESTRICT out) {
     const prt_real t1 = PRT__R(0.282094791773878143474) * f[0] + (PRT__R(0.488602511902919921586) * z) * f[2];
     const prt_real t2 = z * z;
     const prt_real t3 = PRT__R(0.946174695757560018093) * t2 - PRT__R(0.315391565252520006031);
@@ -4639,10 +4642,10 @@ PRT__STATIC void prt__sh_at_4(prt_real x, prt_real y, prt_real z, const prt_real
     const prt_real t6 = PRT__R(2.28522899732232868079) * t2 - PRT__R(0.457045799464465736158);
     const prt_real t7 = (PRT__R(0.488602511902919921586) * f[1] + t5 * f[5]) + t6 * f[11];
     const prt_real t8 = (PRT__R(0.488602511902919921586) * f[3] + t5 * f[7]) + t6 * f[13];
-    const prt_real t9 = x * y;
+    const prt_real t9 = y * x;
     const prt_real t10 = PRT__R(1.44530572132027702769) * z;
     const prt_real t11 = (t9 + t9) * (PRT__R(0.546274215296039535272) * f[4] + t10 * f[10]);
-    const prt_real t12 = (x + y) * (x - y);
+    const prt_real t12 = (y + x) * (x - y);
     const prt_real t13 = t11 + t12 * (PRT__R(0.546274215296039535272) * f[8] + t10 * f[14]);
     const prt_real t14 = (((t1 + t3 * f[6]) + (z * t4) * f[12]) + (y * t7 + x * t8)) + t13;
     const prt_real t15 = y * y;
@@ -4653,7 +4656,7 @@ PRT__STATIC void prt__sh_at_4(prt_real x, prt_real y, prt_real z, const prt_real
 }
 
 /* SH value, 5 bands: 54 multiplications, 42 additions (27 can fuse), 25 loads, 1 stores */
-PRT__STATIC void prt__sh_at_5(prt_real x, prt_real y, prt_real z, const prt_real *f, prt_real *PRT__RESTRICT out) {
+PRT__STATIC void prt__sh_at_5(const prt_real *f, prt_real x, prt_real y, prt_real z, prt_real *PRT__RESTRICT out) {
     const prt_real t1 = PRT__R(0.282094791773878143474) * f[0] + (PRT__R(0.488602511902919921586) * z) * f[2];
     const prt_real t2 = z * z;
     const prt_real t3 = PRT__R(0.946174695757560018093) * t2 - PRT__R(0.315391565252520006031);
@@ -4666,12 +4669,12 @@ PRT__STATIC void prt__sh_at_5(prt_real x, prt_real y, prt_real z, const prt_real
     const prt_real t10 = PRT__R(4.68332580490102417566) * t2 - PRT__R(2.00713963067186750386);
     const prt_real t11 = z * t10;
     const prt_real t12 = (PRT__R(0.488602511902919921586) * f[3] + t7 * f[7]) + t8 * f[13];
-    const prt_real t13 = x * y;
+    const prt_real t13 = y * x;
     const prt_real t14 = t13 + t13;
     const prt_real t15 = PRT__R(1.44530572132027702769) * z;
     const prt_real t16 = PRT__R(3.31161143515146006332) * t2 - PRT__R(0.473087347878780009046);
     const prt_real t17 = (PRT__R(0.546274215296039535272) * f[4] + t15 * f[10]) + t16 * f[18];
-    const prt_real t18 = (x + y) * (x - y);
+    const prt_real t18 = (y + x) * (x - y);
     const prt_real t19 = (PRT__R(0.546274215296039535272) * f[8] + t15 * f[14]) + t16 * f[22];
     const prt_real t20 = (t6 + (y * (t9 + t11 * f[19]) + x * (t12 + t11 * f[21]))) + (t14 * t17 + t18 * t19);
     const prt_real t21 = y * y;
@@ -4686,7 +4689,7 @@ PRT__STATIC void prt__sh_at_5(prt_real x, prt_real y, prt_real z, const prt_real
 }
 
 /* SH value, 6 bands: 80 multiplications, 60 additions (44 can fuse), 36 loads, 1 stores */
-PRT__STATIC void prt__sh_at_6(prt_real x, prt_real y, prt_real z, const prt_real *f, prt_real *PRT__RESTRICT out) {
+PRT__STATIC void prt__sh_at_6(const prt_real *f, prt_real x, prt_real y, prt_real z, prt_real *PRT__RESTRICT out) {
     const prt_real t1 = PRT__R(0.282094791773878143474) * f[0] + (PRT__R(0.488602511902919921586) * z) * f[2];
     const prt_real t2 = z * z;
     const prt_real t3 = PRT__R(0.946174695757560018093) * t2 - PRT__R(0.315391565252520006031);
@@ -4705,14 +4708,14 @@ PRT__STATIC void prt__sh_at_6(prt_real x, prt_real y, prt_real z, const prt_real
     const prt_real t16 = t11 * t15 - PRT__R(0.434828785147869044447);
     const prt_real t17 = (PRT__R(0.488602511902919921586) * f[3] + t10 * f[7]) + t11 * f[13];
     const prt_real t18 = y * ((t12 + t14 * f[19]) + t16 * f[29]) + x * ((t17 + t14 * f[21]) + t16 * f[31]);
-    const prt_real t19 = x * y;
+    const prt_real t19 = y * x;
     const prt_real t20 = t19 + t19;
     const prt_real t21 = PRT__R(1.44530572132027702769) * z;
     const prt_real t22 = PRT__R(3.31161143515146006332) * t2 - PRT__R(0.473087347878780009046);
     const prt_real t23 = (PRT__R(0.546274215296039535272) * f[4] + t21 * f[10]) + t22 * f[18];
     const prt_real t24 = PRT__R(7.1903051774599856325) * t2 - PRT__R(2.3967683924866618775);
     const prt_real t25 = z * t24;
-    const prt_real t26 = (x + y) * (x - y);
+    const prt_real t26 = (y + x) * (x - y);
     const prt_real t27 = (PRT__R(0.546274215296039535272) * f[8] + t21 * f[14]) + t22 * f[22];
     const prt_real t28 = (t9 + t18) + (t20 * (t23 + t25 * f[28]) + t26 * (t27 + t25 * f[32]));
     const prt_real t29 = y * y;
@@ -4734,7 +4737,7 @@ PRT__STATIC void prt__sh_at_6(prt_real x, prt_real y, prt_real z, const prt_real
 }
 
 /* SH value, 7 bands: 109 multiplications, 82 additions (62 can fuse), 49 loads, 1 stores */
-PRT__STATIC void prt__sh_at_7(prt_real x, prt_real y, prt_real z, const prt_real *f, prt_real *PRT__RESTRICT out) {
+PRT__STATIC void prt__sh_at_7(const prt_real *f, prt_real x, prt_real y, prt_real z, prt_real *PRT__RESTRICT out) {
     const prt_real t1 = PRT__R(0.282094791773878143474) * f[0] + (PRT__R(0.488602511902919921586) * z) * f[2];
     const prt_real t2 = z * z;
     const prt_real t3 = PRT__R(0.946174695757560018093) * t2 - PRT__R(0.315391565252520006031);
@@ -4755,7 +4758,7 @@ PRT__STATIC void prt__sh_at_7(prt_real x, prt_real y, prt_real z, const prt_real
     const prt_real t18 = PRT__R(2.02131498923702777609) * (z * t17) - PRT__R(0.995226703056238577025) * t15;
     const prt_real t19 = (PRT__R(0.488602511902919921586) * f[3] + t11 * f[7]) + t12 * f[13];
     const prt_real t20 = y * (((t13 + t15 * f[19]) + t17 * f[29]) + t18 * f[41]) + x * (((t19 + t15 * f[21]) + t17 * f[31]) + t18 * f[43]);
-    const prt_real t21 = x * y;
+    const prt_real t21 = y * x;
     const prt_real t22 = t21 + t21;
     const prt_real t23 = PRT__R(1.44530572132027702769) * z;
     const prt_real t24 = PRT__R(3.31161143515146006332) * t2 - PRT__R(0.473087347878780009046);
@@ -4764,7 +4767,7 @@ PRT__STATIC void prt__sh_at_7(prt_real x, prt_real y, prt_real z, const prt_real
     const prt_real t27 = z * t26;
     const prt_real t28 = PRT__R(1.38599481613688115647) * t24 - PRT__R(1.19217565770897169497);
     const prt_real t29 = t24 * t28 - PRT__R(0.413602361414863611859);
-    const prt_real t30 = (x + y) * (x - y);
+    const prt_real t30 = (y + x) * (x - y);
     const prt_real t31 = (PRT__R(0.546274215296039535272) * f[8] + t23 * f[14]) + t24 * f[22];
     const prt_real t32 = t22 * ((t25 + t27 * f[28]) + t29 * f[40]) + t30 * ((t31 + t27 * f[32]) + t29 * f[44]);
     const prt_real t33 = y * y;
@@ -4795,7 +4798,7 @@ PRT__STATIC void prt__sh_at_7(prt_real x, prt_real y, prt_real z, const prt_real
 }
 
 /* SH value, 8 bands: 145 multiplications, 106 additions (85 can fuse), 64 loads, 1 stores */
-PRT__STATIC void prt__sh_at_8(prt_real x, prt_real y, prt_real z, const prt_real *f, prt_real *PRT__RESTRICT out) {
+PRT__STATIC void prt__sh_at_8(const prt_real *f, prt_real x, prt_real y, prt_real z, prt_real *PRT__RESTRICT out) {
     const prt_real t1 = PRT__R(0.282094791773878143474) * f[0] + (PRT__R(0.488602511902919921586) * z) * f[2];
     const prt_real t2 = z * z;
     const prt_real t3 = PRT__R(0.946174695757560018093) * t2 - PRT__R(0.315391565252520006031);
@@ -4819,7 +4822,7 @@ PRT__STATIC void prt__sh_at_8(prt_real x, prt_real y, prt_real z, const prt_real
     const prt_real t21 = (((t14 + t16 * f[19]) + t18 * f[29]) + t19 * f[41]) + t20 * f[55];
     const prt_real t22 = (PRT__R(0.488602511902919921586) * f[3] + t12 * f[7]) + t13 * f[13];
     const prt_real t23 = (((t22 + t16 * f[21]) + t18 * f[31]) + t19 * f[43]) + t20 * f[57];
-    const prt_real t24 = x * y;
+    const prt_real t24 = y * x;
     const prt_real t25 = t24 + t24;
     const prt_real t26 = PRT__R(1.44530572132027702769) * z;
     const prt_real t27 = PRT__R(3.31161143515146006332) * t2 - PRT__R(0.473087347878780009046);
@@ -4829,7 +4832,7 @@ PRT__STATIC void prt__sh_at_8(prt_real x, prt_real y, prt_real z, const prt_real
     const prt_real t31 = PRT__R(1.38599481613688115647) * t27 - PRT__R(1.19217565770897169497);
     const prt_real t32 = t27 * t31 - PRT__R(0.413602361414863611859);
     const prt_real t33 = PRT__R(2.08166599946613273528) * (z * t32) - PRT__R(0.984731927834661861874) * t30;
-    const prt_real t34 = (x + y) * (x - y);
+    const prt_real t34 = (y + x) * (x - y);
     const prt_real t35 = (PRT__R(0.546274215296039535272) * f[8] + t26 * f[14]) + t27 * f[22];
     const prt_real t36 = t25 * (((t28 + t30 * f[28]) + t32 * f[40]) + t33 * f[54]) + t34 * (((t35 + t30 * f[32]) + t32 * f[44]) + t33 * f[58]);
     const prt_real t37 = (((t9 + t10 * f[42]) + t11 * f[56]) + (y * t21 + x * t23)) + t36;
@@ -4873,7 +4876,7 @@ PRT__STATIC void prt__sh_at_8(prt_real x, prt_real y, prt_real z, const prt_real
 }
 
 /* SH value, 9 bands: 184 multiplications, 134 additions (109 can fuse), 81 loads, 1 stores */
-PRT__STATIC void prt__sh_at_9(prt_real x, prt_real y, prt_real z, const prt_real *f, prt_real *PRT__RESTRICT out) {
+PRT__STATIC void prt__sh_at_9(const prt_real *f, prt_real x, prt_real y, prt_real z, prt_real *PRT__RESTRICT out) {
     const prt_real t1 = PRT__R(0.282094791773878143474) * f[0] + (PRT__R(0.488602511902919921586) * z) * f[2];
     const prt_real t2 = z * z;
     const prt_real t3 = PRT__R(0.946174695757560018093) * t2 - PRT__R(0.315391565252520006031);
@@ -4900,7 +4903,7 @@ PRT__STATIC void prt__sh_at_9(prt_real x, prt_real y, prt_real z, const prt_real
     const prt_real t24 = (PRT__R(0.488602511902919921586) * f[3] + t13 * f[7]) + t14 * f[13];
     const prt_real t25 = (((t24 + t17 * f[21]) + t19 * f[31]) + t20 * f[43]) + t21 * f[57];
     const prt_real t26 = (((t9 + t10 * f[42]) + t11 * f[56]) + t12 * f[72]) + (y * (t22 + t23 * f[71]) + x * (t25 + t23 * f[73]));
-    const prt_real t27 = x * y;
+    const prt_real t27 = y * x;
     const prt_real t28 = t27 + t27;
     const prt_real t29 = PRT__R(1.44530572132027702769) * z;
     const prt_real t30 = PRT__R(3.31161143515146006332) * t2 - PRT__R(0.473087347878780009046);
@@ -4912,7 +4915,7 @@ PRT__STATIC void prt__sh_at_9(prt_real x, prt_real y, prt_real z, const prt_real
     const prt_real t36 = PRT__R(2.08166599946613273528) * (z * t35) - PRT__R(0.984731927834661861874) * t33;
     const prt_real t37 = PRT__R(2.06155281280883027491) * (z * t36) - PRT__R(0.990337937660287135802) * t35;
     const prt_real t38 = (((t31 + t33 * f[28]) + t35 * f[40]) + t36 * f[54]) + t37 * f[70];
-    const prt_real t39 = (x + y) * (x - y);
+    const prt_real t39 = (y + x) * (x - y);
     const prt_real t40 = (PRT__R(0.546274215296039535272) * f[8] + t29 * f[14]) + t30 * f[22];
     const prt_real t41 = (((t40 + t33 * f[32]) + t35 * f[44]) + t36 * f[58]) + t37 * f[74];
     const prt_real t42 = y * y;
@@ -4966,7 +4969,7 @@ PRT__STATIC void prt__sh_at_9(prt_real x, prt_real y, prt_real z, const prt_real
 }
 
 /* SH value, 10 bands: 230 multiplications, 164 additions (138 can fuse), 100 loads, 1 stores */
-PRT__STATIC void prt__sh_at_10(prt_real x, prt_real y, prt_real z, const prt_real *f, prt_real *PRT__RESTRICT out) {
+PRT__STATIC void prt__sh_at_10(const prt_real *f, prt_real x, prt_real y, prt_real z, prt_real *PRT__RESTRICT out) {
     const prt_real t1 = PRT__R(0.282094791773878143474) * f[0] + (PRT__R(0.488602511902919921586) * z) * f[2];
     const prt_real t2 = z * z;
     const prt_real t3 = PRT__R(0.946174695757560018093) * t2 - PRT__R(0.315391565252520006031);
@@ -4996,7 +4999,7 @@ PRT__STATIC void prt__sh_at_10(prt_real x, prt_real y, prt_real z, const prt_rea
     const prt_real t27 = (PRT__R(0.488602511902919921586) * f[3] + t15 * f[7]) + t16 * f[13];
     const prt_real t28 = (((t27 + t19 * f[21]) + t21 * f[31]) + t22 * f[43]) + t23 * f[57];
     const prt_real t29 = y * ((t24 + t25 * f[71]) + t26 * f[89]) + x * ((t28 + t25 * f[73]) + t26 * f[91]);
-    const prt_real t30 = x * y;
+    const prt_real t30 = y * x;
     const prt_real t31 = t30 + t30;
     const prt_real t32 = PRT__R(1.44530572132027702769) * z;
     const prt_real t33 = PRT__R(3.31161143515146006332) * t2 - PRT__R(0.473087347878780009046);
@@ -5009,7 +5012,7 @@ PRT__STATIC void prt__sh_at_10(prt_real x, prt_real y, prt_real z, const prt_rea
     const prt_real t40 = PRT__R(2.06155281280883027491) * (z * t39) - PRT__R(0.990337937660287135802) * t38;
     const prt_real t41 = (((t34 + t36 * f[28]) + t38 * f[40]) + t39 * f[54]) + t40 * f[70];
     const prt_real t42 = PRT__R(2.0481223583578191106) * (z * t40) - PRT__R(0.993485272670404014071) * t39;
-    const prt_real t43 = (x + y) * (x - y);
+    const prt_real t43 = (y + x) * (x - y);
     const prt_real t44 = (PRT__R(0.546274215296039535272) * f[8] + t32 * f[14]) + t33 * f[22];
     const prt_real t45 = (((t44 + t36 * f[32]) + t38 * f[44]) + t39 * f[58]) + t40 * f[74];
     const prt_real t46 = (t14 + t29) + (t31 * (t41 + t42 * f[88]) + t43 * (t45 + t42 * f[92]));
@@ -5502,7 +5505,7 @@ PRT__STATIC void prt__ch_eval_1(prt_real x, prt_real y, prt_real z, prt_real *PR
 }
 
 /* CH basis, 1 band: 0 multiplications, 0 additions (0 can fuse), 1 stores */
-PRT__INLINE void prt__ch_eval_1_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out,
+PRT__INLINE void prt__ch_eval_1_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, 
     size_t stride, int first, int last) {
     (void)x;
     (void)y;
@@ -5527,7 +5530,7 @@ PRT__STATIC void prt__ch_eval_2(prt_real x, prt_real y, prt_real z, prt_real *PR
 }
 
 /* CH basis, 2 bands: 3 multiplications, 0 additions (0 can fuse), 4 stores */
-PRT__INLINE void prt__ch_eval_2_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out,
+PRT__INLINE void prt__ch_eval_2_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, 
     size_t stride, int first, int last) {
     if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
     if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
@@ -5552,13 +5555,13 @@ PRT__STATIC void prt__ch_eval_3(prt_real x, prt_real y, prt_real z, prt_real *PR
     const prt_real t1 = PRT__R(1.09254843059207907054) * z;
     out[5] = y * t1;
     out[7] = x * t1;
-    const prt_real t2 = x * y;
+    const prt_real t2 = y * x;
     out[4] = PRT__R(0.546274215296039535272) * (t2 + t2);
-    out[8] = PRT__R(0.546274215296039535272) * ((x + y) * (x - y));
+    out[8] = PRT__R(0.546274215296039535272) * ((y + x) * (x - y));
 }
 
 /* CH basis, 3 bands: 12 multiplications, 4 additions (1 can fuse), 9 stores */
-PRT__INLINE void prt__ch_eval_3_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out,
+PRT__INLINE void prt__ch_eval_3_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, 
     size_t stride, int first, int last) {
     if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
     if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
@@ -5569,10 +5572,10 @@ PRT__INLINE void prt__ch_eval_3_part(prt__vec x, prt__vec y, prt__vec z, prt_rea
     const prt__vec t1 = PRT__R(1.09254843059207907054) * z;
     if (first <= 5 && 5 < last) prt__vec_store(out + 5 * stride, y * t1);
     if (first <= 6 && 6 < last) prt__vec_store(out + 7 * stride, x * t1);
-    const prt__vec t2 = x * y;
+    const prt__vec t2 = y * x;
     if (first <= 7 && 7 < last) prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * (t2 + t2));
     if (first <= 8 && 8 < last)
-        prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * ((x + y) * (x - y)));
+        prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * ((y + x) * (x - y)));
 }
 
 PRT__STATIC void prt__ch_eval_3_v(int vectors, const prt_real *x, const prt_real *y, const prt_real *z,
@@ -5600,10 +5603,10 @@ PRT__STATIC void prt__ch_eval_4(prt_real x, prt_real y, prt_real z, prt_real *PR
     const prt_real t4 = PRT__R(2.2251937260415151452) * t1 - PRT__R(0.556298431510378786299);
     out[11] = y * t4;
     out[13] = x * t4;
-    const prt_real t5 = x * y;
+    const prt_real t5 = y * x;
     const prt_real t6 = t5 + t5;
     out[4] = PRT__R(0.546274215296039535272) * t6;
-    const prt_real t7 = (x + y) * (x - y);
+    const prt_real t7 = (y + x) * (x - y);
     out[8] = PRT__R(0.546274215296039535272) * t7;
     const prt_real t8 = PRT__R(1.44530572132027702769) * z;
     out[10] = t6 * t8;
@@ -5615,7 +5618,7 @@ PRT__STATIC void prt__ch_eval_4(prt_real x, prt_real y, prt_real z, prt_real *PR
 }
 
 /* CH basis, 4 bands: 25 multiplications, 11 additions (3 can fuse), 16 stores */
-PRT__INLINE void prt__ch_eval_4_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out,
+PRT__INLINE void prt__ch_eval_4_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, 
     size_t stride, int first, int last) {
     if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
     if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
@@ -5632,10 +5635,10 @@ PRT__INLINE void prt__ch_eval_4_part(prt__vec x, prt__vec y, prt__vec z, prt_rea
     const prt__vec t4 = PRT__R(2.2251937260415151452) * t1 - PRT__R(0.556298431510378786299);
     if (first <= 8 && 8 < last) prt__vec_store(out + 11 * stride, y * t4);
     if (first <= 9 && 9 < last) prt__vec_store(out + 13 * stride, x * t4);
-    const prt__vec t5 = x * y;
+    const prt__vec t5 = y * x;
     const prt__vec t6 = t5 + t5;
     if (first <= 10 && 10 < last) prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t6);
-    const prt__vec t7 = (x + y) * (x - y);
+    const prt__vec t7 = (y + x) * (x - y);
     if (first <= 11 && 11 < last) prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t7);
     const prt__vec t8 = PRT__R(1.44530572132027702769) * z;
     if (first <= 12 && 12 < last) prt__vec_store(out + 10 * stride, t6 * t8);
@@ -5680,10 +5683,10 @@ PRT__STATIC void prt__ch_eval_5(prt_real x, prt_real y, prt_real z, prt_real *PR
     const prt_real t8 = z * t7;
     out[19] = y * t8;
     out[21] = x * t8;
-    const prt_real t9 = x * y;
+    const prt_real t9 = y * x;
     const prt_real t10 = t9 + t9;
     out[4] = PRT__R(0.546274215296039535272) * t10;
-    const prt_real t11 = (x + y) * (x - y);
+    const prt_real t11 = (y + x) * (x - y);
     out[8] = PRT__R(0.546274215296039535272) * t11;
     const prt_real t12 = PRT__R(1.44530572132027702769) * z;
     out[10] = t10 * t12;
@@ -5706,7 +5709,7 @@ PRT__STATIC void prt__ch_eval_5(prt_real x, prt_real y, prt_real z, prt_real *PR
 }
 
 /* CH basis, 5 bands: 41 multiplications, 18 additions (7 can fuse), 25 stores */
-PRT__INLINE void prt__ch_eval_5_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out,
+PRT__INLINE void prt__ch_eval_5_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, 
     size_t stride, int first, int last) {
     if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
     if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
@@ -5729,10 +5732,10 @@ PRT__INLINE void prt__ch_eval_5_part(prt__vec x, prt__vec y, prt__vec z, prt_rea
     const prt__vec t8 = z * t7;
     if (first <= 11 && 11 < last) prt__vec_store(out + 19 * stride, y * t8);
     if (first <= 12 && 12 < last) prt__vec_store(out + 21 * stride, x * t8);
-    const prt__vec t9 = x * y;
+    const prt__vec t9 = y * x;
     const prt__vec t10 = t9 + t9;
     if (first <= 13 && 13 < last) prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t10);
-    const prt__vec t11 = (x + y) * (x - y);
+    const prt__vec t11 = (y + x) * (x - y);
     if (first <= 14 && 14 < last) prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t11);
     const prt__vec t12 = PRT__R(1.44530572132027702769) * z;
     if (first <= 15 && 15 < last) prt__vec_store(out + 10 * stride, t10 * t12);
@@ -5798,10 +5801,10 @@ PRT__STATIC void prt__ch_eval_6(prt_real x, prt_real y, prt_real z, prt_real *PR
     const prt_real t12 = t8 * t11 - PRT__R(0.561361547776433262911);
     out[29] = y * t12;
     out[31] = x * t12;
-    const prt_real t13 = x * y;
+    const prt_real t13 = y * x;
     const prt_real t14 = t13 + t13;
     out[4] = PRT__R(0.546274215296039535272) * t14;
-    const prt_real t15 = (x + y) * (x - y);
+    const prt_real t15 = (y + x) * (x - y);
     out[8] = PRT__R(0.546274215296039535272) * t15;
     const prt_real t16 = PRT__R(1.44530572132027702769) * z;
     out[10] = t14 * t16;
@@ -5838,7 +5841,7 @@ PRT__STATIC void prt__ch_eval_6(prt_real x, prt_real y, prt_real z, prt_real *PR
 }
 
 /* CH basis, 6 bands: 64 multiplications, 25 additions (14 can fuse), 36 stores */
-PRT__INLINE void prt__ch_eval_6_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out,
+PRT__INLINE void prt__ch_eval_6_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, 
     size_t stride, int first, int last) {
     if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
     if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
@@ -5869,10 +5872,10 @@ PRT__INLINE void prt__ch_eval_6_part(prt__vec x, prt__vec y, prt__vec z, prt_rea
     const prt__vec t12 = t8 * t11 - PRT__R(0.561361547776433262911);
     if (first <= 14 && 14 < last) prt__vec_store(out + 29 * stride, y * t12);
     if (first <= 15 && 15 < last) prt__vec_store(out + 31 * stride, x * t12);
-    const prt__vec t13 = x * y;
+    const prt__vec t13 = y * x;
     const prt__vec t14 = t13 + t13;
     if (first <= 16 && 16 < last) prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t14);
-    const prt__vec t15 = (x + y) * (x - y);
+    const prt__vec t15 = (y + x) * (x - y);
     if (first <= 17 && 17 < last) prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t15);
     const prt__vec t16 = PRT__R(1.44530572132027702769) * z;
     if (first <= 18 && 18 < last) prt__vec_store(out + 10 * stride, t14 * t16);
@@ -5960,10 +5963,10 @@ PRT__STATIC void prt__ch_eval_7(prt_real x, prt_real y, prt_real z, prt_real *PR
     const prt_real t14 = PRT__R(2.00308404192443849618) * (z * t13) - PRT__R(1.00439949330516663946) * t11;
     out[41] = y * t14;
     out[43] = x * t14;
-    const prt_real t15 = x * y;
+    const prt_real t15 = y * x;
     const prt_real t16 = t15 + t15;
     out[4] = PRT__R(0.546274215296039535272) * t16;
-    const prt_real t17 = (x + y) * (x - y);
+    const prt_real t17 = (y + x) * (x - y);
     out[8] = PRT__R(0.546274215296039535272) * t17;
     const prt_real t18 = PRT__R(1.44530572132027702769) * z;
     out[10] = t16 * t18;
@@ -6019,7 +6022,7 @@ PRT__STATIC void prt__ch_eval_7(prt_real x, prt_real y, prt_real z, prt_real *PR
 }
 
 /* CH basis, 7 bands: 90 multiplications, 34 additions (20 can fuse), 49 stores */
-PRT__INLINE void prt__ch_eval_7_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out,
+PRT__INLINE void prt__ch_eval_7_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, 
     size_t stride, int first, int last) {
     if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
     if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
@@ -6055,10 +6058,10 @@ PRT__INLINE void prt__ch_eval_7_part(prt__vec x, prt__vec y, prt__vec z, prt_rea
     const prt__vec t14 = PRT__R(2.00308404192443849618) * (z * t13) - PRT__R(1.00439949330516663946) * t11;
     if (first <= 17 && 17 < last) prt__vec_store(out + 41 * stride, y * t14);
     if (first <= 18 && 18 < last) prt__vec_store(out + 43 * stride, x * t14);
-    const prt__vec t15 = x * y;
+    const prt__vec t15 = y * x;
     const prt__vec t16 = t15 + t15;
     if (first <= 19 && 19 < last) prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t16);
-    const prt__vec t17 = (x + y) * (x - y);
+    const prt__vec t17 = (y + x) * (x - y);
     if (first <= 20 && 20 < last) prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t17);
     const prt__vec t18 = PRT__R(1.44530572132027702769) * z;
     if (first <= 21 && 21 < last) prt__vec_store(out + 10 * stride, t16 * t18);
@@ -6173,10 +6176,10 @@ PRT__STATIC void prt__ch_eval_8(prt_real x, prt_real y, prt_real z, prt_real *PR
     const prt_real t16 = PRT__R(2.00185442784391621093) * (z * t15) - PRT__R(1.00247066466748147447) * t14;
     out[55] = y * t16;
     out[57] = x * t16;
-    const prt_real t17 = x * y;
+    const prt_real t17 = y * x;
     const prt_real t18 = t17 + t17;
     out[4] = PRT__R(0.546274215296039535272) * t18;
-    const prt_real t19 = (x + y) * (x - y);
+    const prt_real t19 = (y + x) * (x - y);
     out[8] = PRT__R(0.546274215296039535272) * t19;
     const prt_real t20 = PRT__R(1.44530572132027702769) * z;
     out[10] = t18 * t20;
@@ -6253,7 +6256,7 @@ PRT__STATIC void prt__ch_eval_8(prt_real x, prt_real y, prt_real z, prt_real *PR
 }
 
 /* CH basis, 8 bands: 123 multiplications, 43 additions (29 can fuse), 64 stores */
-PRT__INLINE void prt__ch_eval_8_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out,
+PRT__INLINE void prt__ch_eval_8_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, 
     size_t stride, int first, int last) {
     if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
     if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
@@ -6294,10 +6297,10 @@ PRT__INLINE void prt__ch_eval_8_part(prt__vec x, prt__vec y, prt__vec z, prt_rea
     const prt__vec t16 = PRT__R(2.00185442784391621093) * (z * t15) - PRT__R(1.00247066466748147447) * t14;
     if (first <= 20 && 20 < last) prt__vec_store(out + 55 * stride, y * t16);
     if (first <= 21 && 21 < last) prt__vec_store(out + 57 * stride, x * t16);
-    const prt__vec t17 = x * y;
+    const prt__vec t17 = y * x;
     const prt__vec t18 = t17 + t17;
     if (first <= 22 && 22 < last) prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t18);
-    const prt__vec t19 = (x + y) * (x - y);
+    const prt__vec t19 = (y + x) * (x - y);
     if (first <= 23 && 23 < last) prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t19);
     const prt__vec t20 = PRT__R(1.44530572132027702769) * z;
     if (first <= 24 && 24 < last) prt__vec_store(out + 10 * stride, t18 * t20);
@@ -6441,10 +6444,10 @@ PRT__STATIC void prt__ch_eval_9(prt_real x, prt_real y, prt_real z, prt_real *PR
     const prt_real t18 = PRT__R(2.00120156213902958958) * (z * t17) - PRT__R(1.00152855204404460325) * t16;
     out[71] = y * t18;
     out[73] = x * t18;
-    const prt_real t19 = x * y;
+    const prt_real t19 = y * x;
     const prt_real t20 = t19 + t19;
     out[4] = PRT__R(0.546274215296039535272) * t20;
-    const prt_real t21 = (x + y) * (x - y);
+    const prt_real t21 = (y + x) * (x - y);
     out[8] = PRT__R(0.546274215296039535272) * t21;
     const prt_real t22 = PRT__R(1.44530572132027702769) * z;
     out[10] = t20 * t22;
@@ -6546,7 +6549,7 @@ PRT__STATIC void prt__ch_eval_9(prt_real x, prt_real y, prt_real z, prt_real *PR
 }
 
 /* CH basis, 9 bands: 159 multiplications, 54 additions (37 can fuse), 81 stores */
-PRT__INLINE void prt__ch_eval_9_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out,
+PRT__INLINE void prt__ch_eval_9_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, 
     size_t stride, int first, int last) {
     if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
     if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
@@ -6592,10 +6595,10 @@ PRT__INLINE void prt__ch_eval_9_part(prt__vec x, prt__vec y, prt__vec z, prt_rea
     const prt__vec t18 = PRT__R(2.00120156213902958958) * (z * t17) - PRT__R(1.00152855204404460325) * t16;
     if (first <= 23 && 23 < last) prt__vec_store(out + 71 * stride, y * t18);
     if (first <= 24 && 24 < last) prt__vec_store(out + 73 * stride, x * t18);
-    const prt__vec t19 = x * y;
+    const prt__vec t19 = y * x;
     const prt__vec t20 = t19 + t19;
     if (first <= 25 && 25 < last) prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t20);
-    const prt__vec t21 = (x + y) * (x - y);
+    const prt__vec t21 = (y + x) * (x - y);
     if (first <= 26 && 26 < last) prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t21);
     const prt__vec t22 = PRT__R(1.44530572132027702769) * z;
     if (first <= 27 && 27 < last) prt__vec_store(out + 10 * stride, t20 * t22);
@@ -6774,10 +6777,10 @@ PRT__STATIC void prt__ch_eval_10(prt_real x, prt_real y, prt_real z, prt_real *P
     const prt_real t20 = PRT__R(2.000822875986267518) * (z * t19) - PRT__R(1.00101246624680610771) * t18;
     out[89] = y * t20;
     out[91] = x * t20;
-    const prt_real t21 = x * y;
+    const prt_real t21 = y * x;
     const prt_real t22 = t21 + t21;
     out[4] = PRT__R(0.546274215296039535272) * t22;
-    const prt_real t23 = (x + y) * (x - y);
+    const prt_real t23 = (y + x) * (x - y);
     out[8] = PRT__R(0.546274215296039535272) * t23;
     const prt_real t24 = PRT__R(1.44530572132027702769) * z;
     out[10] = t22 * t24;
@@ -6906,7 +6909,7 @@ PRT__STATIC void prt__ch_eval_10(prt_real x, prt_real y, prt_real z, prt_real *P
 }
 
 /* CH basis, 10 bands: 202 multiplications, 65 additions (48 can fuse), 100 stores */
-PRT__INLINE void prt__ch_eval_10_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out,
+PRT__INLINE void prt__ch_eval_10_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, 
     size_t stride, int first, int last) {
     if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
     if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
@@ -6957,10 +6960,10 @@ PRT__INLINE void prt__ch_eval_10_part(prt__vec x, prt__vec y, prt__vec z, prt_re
     const prt__vec t20 = PRT__R(2.000822875986267518) * (z * t19) - PRT__R(1.00101246624680610771) * t18;
     if (first <= 26 && 26 < last) prt__vec_store(out + 89 * stride, y * t20);
     if (first <= 27 && 27 < last) prt__vec_store(out + 91 * stride, x * t20);
-    const prt__vec t21 = x * y;
+    const prt__vec t21 = y * x;
     const prt__vec t22 = t21 + t21;
     if (first <= 28 && 28 < last) prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t22);
-    const prt__vec t23 = (x + y) * (x - y);
+    const prt__vec t23 = (y + x) * (x - y);
     if (first <= 29 && 29 < last) prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t23);
     const prt__vec t24 = PRT__R(1.44530572132027702769) * z;
     if (first <= 30 && 30 < last) prt__vec_store(out + 10 * stride, t22 * t24);
@@ -7120,7 +7123,7 @@ PRT__STATIC void prt__ch_eval_10_v(int vectors, const prt_real *x, const prt_rea
 }
 
 /* CH value, 1 band: 1 multiplications, 0 additions (0 can fuse), 1 loads, 1 stores */
-PRT__STATIC void prt__ch_at_1(prt_real x, prt_real y, prt_real z, const prt_real *f, prt_real *PRT__RESTRICT out) {
+PRT__STATIC void prt__ch_at_1(const prt_real *f, prt_real x, prt_real y, prt_real z, prt_real *PRT__RESTRICT out) {
     (void)x;
     (void)y;
     (void)z;
@@ -7128,25 +7131,25 @@ PRT__STATIC void prt__ch_at_1(prt_real x, prt_real y, prt_real z, const prt_real
 }
 
 /* CH value, 2 bands: 7 multiplications, 3 additions (2 can fuse), 4 loads, 1 stores */
-PRT__STATIC void prt__ch_at_2(prt_real x, prt_real y, prt_real z, const prt_real *f, prt_real *PRT__RESTRICT out) {
+PRT__STATIC void prt__ch_at_2(const prt_real *f, prt_real x, prt_real y, prt_real z, prt_real *PRT__RESTRICT out) {
     const prt_real t1 = PRT__R(0.282094791773878143474) * f[0] + (PRT__R(0.488602511902919921586) * z) * f[2];
     const prt_real t2 = y * (PRT__R(0.488602511902919921586) * f[1]) + x * (PRT__R(0.488602511902919921586) * f[3]);
     out[0] = t1 + t2;
 }
 
 /* CH value, 3 bands: 19 multiplications, 12 additions (7 can fuse), 9 loads, 1 stores */
-PRT__STATIC void prt__ch_at_3(prt_real x, prt_real y, prt_real z, const prt_real *f, prt_real *PRT__RESTRICT out) {
+PRT__STATIC void prt__ch_at_3(const prt_real *f, prt_real x, prt_real y, prt_real z, prt_real *PRT__RESTRICT out) {
     const prt_real t1 = PRT__R(0.282094791773878143474) * f[0] + (PRT__R(0.488602511902919921586) * z) * f[2];
     const prt_real t2 = PRT__R(0.825888983611586872968) * (z * z) - PRT__R(0.412944491805793436484);
     const prt_real t3 = PRT__R(1.09254843059207907054) * z;
     const prt_real t4 = y * (PRT__R(0.488602511902919921586) * f[1] + t3 * f[5]) + x * (PRT__R(0.488602511902919921586) * f[3] + t3 * f[7]);
-    const prt_real t5 = x * y;
-    const prt_real t6 = ((x + y) * (x - y)) * (PRT__R(0.546274215296039535272) * f[8]);
+    const prt_real t5 = y * x;
+    const prt_real t6 = ((y + x) * (x - y)) * (PRT__R(0.546274215296039535272) * f[8]);
     out[0] = ((t1 + t2 * f[6]) + t4) + ((t5 + t5) * (PRT__R(0.546274215296039535272) * f[4]) + t6);
 }
 
 /* CH value, 4 bands: 35 multiplications, 26 additions (15 can fuse), 16 loads, 1 stores */
-PRT__STATIC void prt__ch_at_4(prt_real x, prt_real y, prt_real z, const prt_real *f, prt_real *PRT__RESTRICT out) {
+PRT__STATIC void prt__ch_at_4(const prt_real *f, prt_real x, prt_real y, prt_real z, prt_real *PRT__RESTRICT out) {
     const prt_real t1 = PRT__R(0.282094791773878143474) * f[0] + (PRT__R(0.488602511902919921586) * z) * f[2];
     const prt_real t2 = z * z;
     const prt_real t3 = PRT__R(0.825888983611586872968) * t2 - PRT__R(0.412944491805793436484);
@@ -7155,10 +7158,10 @@ PRT__STATIC void prt__ch_at_4(prt_real x, prt_real y, prt_real z, const prt_real
     const prt_real t6 = PRT__R(2.2251937260415151452) * t2 - PRT__R(0.556298431510378786299);
     const prt_real t7 = (PRT__R(0.488602511902919921586) * f[1] + t5 * f[5]) + t6 * f[11];
     const prt_real t8 = (PRT__R(0.488602511902919921586) * f[3] + t5 * f[7]) + t6 * f[13];
-    const prt_real t9 = x * y;
+    const prt_real t9 = y * x;
     const prt_real t10 = PRT__R(1.44530572132027702769) * z;
     const prt_real t11 = (t9 + t9) * (PRT__R(0.546274215296039535272) * f[4] + t10 * f[10]);
-    const prt_real t12 = (x + y) * (x - y);
+    const prt_real t12 = (y + x) * (x - y);
     const prt_real t13 = t11 + t12 * (PRT__R(0.546274215296039535272) * f[8] + t10 * f[14]);
     const prt_real t14 = (((t1 + t3 * f[6]) + (z * t4) * f[12]) + (y * t7 + x * t8)) + t13;
     const prt_real t15 = y * y;
@@ -7169,7 +7172,7 @@ PRT__STATIC void prt__ch_at_4(prt_real x, prt_real y, prt_real z, const prt_real
 }
 
 /* CH value, 5 bands: 54 multiplications, 42 additions (27 can fuse), 25 loads, 1 stores */
-PRT__STATIC void prt__ch_at_5(prt_real x, prt_real y, prt_real z, const prt_real *f, prt_real *PRT__RESTRICT out) {
+PRT__STATIC void prt__ch_at_5(const prt_real *f, prt_real x, prt_real y, prt_real z, prt_real *PRT__RESTRICT out) {
     const prt_real t1 = PRT__R(0.282094791773878143474) * f[0] + (PRT__R(0.488602511902919921586) * z) * f[2];
     const prt_real t2 = z * z;
     const prt_real t3 = PRT__R(0.825888983611586872968) * t2 - PRT__R(0.412944491805793436484);
@@ -7182,12 +7185,12 @@ PRT__STATIC void prt__ch_at_5(prt_real x, prt_real y, prt_real z, const prt_real
     const prt_real t10 = PRT__R(4.47811599108138469697) * t2 - PRT__R(2.23905799554069234849);
     const prt_real t11 = z * t10;
     const prt_real t12 = (PRT__R(0.488602511902919921586) * f[3] + t7 * f[7]) + t8 * f[13];
-    const prt_real t13 = x * y;
+    const prt_real t13 = y * x;
     const prt_real t14 = t13 + t13;
     const prt_real t15 = PRT__R(1.44530572132027702769) * z;
     const prt_real t16 = PRT__R(3.27764529177623721163) * t2 - PRT__R(0.546274215296039535272);
     const prt_real t17 = (PRT__R(0.546274215296039535272) * f[4] + t15 * f[10]) + t16 * f[18];
-    const prt_real t18 = (x + y) * (x - y);
+    const prt_real t18 = (y + x) * (x - y);
     const prt_real t19 = (PRT__R(0.546274215296039535272) * f[8] + t15 * f[14]) + t16 * f[22];
     const prt_real t20 = (t6 + (y * (t9 + t11 * f[19]) + x * (t12 + t11 * f[21]))) + (t14 * t17 + t18 * t19);
     const prt_real t21 = y * y;
@@ -7202,7 +7205,7 @@ PRT__STATIC void prt__ch_at_5(prt_real x, prt_real y, prt_real z, const prt_real
 }
 
 /* CH value, 6 bands: 80 multiplications, 60 additions (44 can fuse), 36 loads, 1 stores */
-PRT__STATIC void prt__ch_at_6(prt_real x, prt_real y, prt_real z, const prt_real *f, prt_real *PRT__RESTRICT out) {
+PRT__STATIC void prt__ch_at_6(const prt_real *f, prt_real x, prt_real y, prt_real z, prt_real *PRT__RESTRICT out) {
     const prt_real t1 = PRT__R(0.282094791773878143474) * f[0] + (PRT__R(0.488602511902919921586) * z) * f[2];
     const prt_real t2 = z * z;
     const prt_real t3 = PRT__R(0.825888983611586872968) * t2 - PRT__R(0.412944491805793436484);
@@ -7221,14 +7224,14 @@ PRT__STATIC void prt__ch_at_6(prt_real x, prt_real y, prt_real z, const prt_real
     const prt_real t16 = t11 * t15 - PRT__R(0.561361547776433262911);
     const prt_real t17 = (PRT__R(0.488602511902919921586) * f[3] + t10 * f[7]) + t11 * f[13];
     const prt_real t18 = y * ((t12 + t14 * f[19]) + t16 * f[29]) + x * ((t17 + t14 * f[21]) + t16 * f[31]);
-    const prt_real t19 = x * y;
+    const prt_real t19 = y * x;
     const prt_real t20 = t19 + t19;
     const prt_real t21 = PRT__R(1.44530572132027702769) * z;
     const prt_real t22 = PRT__R(3.27764529177623721163) * t2 - PRT__R(0.546274215296039535272);
     const prt_real t23 = (PRT__R(0.546274215296039535272) * f[4] + t21 * f[10]) + t22 * f[18];
     const prt_real t24 = PRT__R(7.04063249082559160399) * t2 - PRT__R(2.6402371840595968515);
     const prt_real t25 = z * t24;
-    const prt_real t26 = (x + y) * (x - y);
+    const prt_real t26 = (y + x) * (x - y);
     const prt_real t27 = (PRT__R(0.546274215296039535272) * f[8] + t21 * f[14]) + t22 * f[22];
     const prt_real t28 = (t9 + t18) + (t20 * (t23 + t25 * f[28]) + t26 * (t27 + t25 * f[32]));
     const prt_real t29 = y * y;
@@ -7250,7 +7253,7 @@ PRT__STATIC void prt__ch_at_6(prt_real x, prt_real y, prt_real z, const prt_real
 }
 
 /* CH value, 7 bands: 109 multiplications, 82 additions (62 can fuse), 49 loads, 1 stores */
-PRT__STATIC void prt__ch_at_7(prt_real x, prt_real y, prt_real z, const prt_real *f, prt_real *PRT__RESTRICT out) {
+PRT__STATIC void prt__ch_at_7(const prt_real *f, prt_real x, prt_real y, prt_real z, prt_real *PRT__RESTRICT out) {
     const prt_real t1 = PRT__R(0.282094791773878143474) * f[0] + (PRT__R(0.488602511902919921586) * z) * f[2];
     const prt_real t2 = z * z;
     const prt_real t3 = PRT__R(0.825888983611586872968) * t2 - PRT__R(0.412944491805793436484);
@@ -7271,7 +7274,7 @@ PRT__STATIC void prt__ch_at_7(prt_real x, prt_real y, prt_real z, const prt_real
     const prt_real t18 = PRT__R(2.00308404192443849618) * (z * t17) - PRT__R(1.00439949330516663946) * t15;
     const prt_real t19 = (PRT__R(0.488602511902919921586) * f[3] + t11 * f[7]) + t12 * f[13];
     const prt_real t20 = y * (((t13 + t15 * f[19]) + t17 * f[29]) + t18 * f[41]) + x * (((t19 + t15 * f[21]) + t17 * f[31]) + t18 * f[43]);
-    const prt_real t21 = x * y;
+    const prt_real t21 = y * x;
     const prt_real t22 = t21 + t21;
     const prt_real t23 = PRT__R(1.44530572132027702769) * z;
     const prt_real t24 = PRT__R(3.27764529177623721163) * t2 - PRT__R(0.546274215296039535272);
@@ -7280,7 +7283,7 @@ PRT__STATIC void prt__ch_at_7(prt_real x, prt_real y, prt_real z, const prt_real
     const prt_real t27 = z * t26;
     const prt_real t28 = PRT__R(1.37233279507355082388) * t24 - PRT__R(1.19947203320611937035);
     const prt_real t29 = t24 * t28 - PRT__R(0.511906752897826512122);
-    const prt_real t30 = (x + y) * (x - y);
+    const prt_real t30 = (y + x) * (x - y);
     const prt_real t31 = (PRT__R(0.546274215296039535272) * f[8] + t23 * f[14]) + t24 * f[22];
     const prt_real t32 = t22 * ((t25 + t27 * f[28]) + t29 * f[40]) + t30 * ((t31 + t27 * f[32]) + t29 * f[44]);
     const prt_real t33 = y * y;
@@ -7311,7 +7314,7 @@ PRT__STATIC void prt__ch_at_7(prt_real x, prt_real y, prt_real z, const prt_real
 }
 
 /* CH value, 8 bands: 145 multiplications, 106 additions (85 can fuse), 64 loads, 1 stores */
-PRT__STATIC void prt__ch_at_8(prt_real x, prt_real y, prt_real z, const prt_real *f, prt_real *PRT__RESTRICT out) {
+PRT__STATIC void prt__ch_at_8(const prt_real *f, prt_real x, prt_real y, prt_real z, prt_real *PRT__RESTRICT out) {
     const prt_real t1 = PRT__R(0.282094791773878143474) * f[0] + (PRT__R(0.488602511902919921586) * z) * f[2];
     const prt_real t2 = z * z;
     const prt_real t3 = PRT__R(0.825888983611586872968) * t2 - PRT__R(0.412944491805793436484);
@@ -7335,7 +7338,7 @@ PRT__STATIC void prt__ch_at_8(prt_real x, prt_real y, prt_real z, const prt_real
     const prt_real t21 = (((t14 + t16 * f[19]) + t18 * f[29]) + t19 * f[41]) + t20 * f[55];
     const prt_real t22 = (PRT__R(0.488602511902919921586) * f[3] + t12 * f[7]) + t13 * f[13];
     const prt_real t23 = (((t22 + t16 * f[21]) + t18 * f[31]) + t19 * f[43]) + t20 * f[57];
-    const prt_real t24 = x * y;
+    const prt_real t24 = y * x;
     const prt_real t25 = t24 + t24;
     const prt_real t26 = PRT__R(1.44530572132027702769) * z;
     const prt_real t27 = PRT__R(3.27764529177623721163) * t2 - PRT__R(0.546274215296039535272);
@@ -7345,7 +7348,7 @@ PRT__STATIC void prt__ch_at_8(prt_real x, prt_real y, prt_real z, const prt_real
     const prt_real t31 = PRT__R(1.37233279507355082388) * t27 - PRT__R(1.19947203320611937035);
     const prt_real t32 = t27 * t31 - PRT__R(0.511906752897826512122);
     const prt_real t33 = PRT__R(2.06485074947180018626) * (z * t32) - PRT__R(1.00887444616012613957) * t30;
-    const prt_real t34 = (x + y) * (x - y);
+    const prt_real t34 = (y + x) * (x - y);
     const prt_real t35 = (PRT__R(0.546274215296039535272) * f[8] + t26 * f[14]) + t27 * f[22];
     const prt_real t36 = t25 * (((t28 + t30 * f[28]) + t32 * f[40]) + t33 * f[54]) + t34 * (((t35 + t30 * f[32]) + t32 * f[44]) + t33 * f[58]);
     const prt_real t37 = (((t9 + t10 * f[42]) + t11 * f[56]) + (y * t21 + x * t23)) + t36;
@@ -7389,7 +7392,7 @@ PRT__STATIC void prt__ch_at_8(prt_real x, prt_real y, prt_real z, const prt_real
 }
 
 /* CH value, 9 bands: 184 multiplications, 134 additions (109 can fuse), 81 loads, 1 stores */
-PRT__STATIC void prt__ch_at_9(prt_real x, prt_real y, prt_real z, const prt_real *f, prt_real *PRT__RESTRICT out) {
+PRT__STATIC void prt__ch_at_9(const prt_real *f, prt_real x, prt_real y, prt_real z, prt_real *PRT__RESTRICT out) {
     const prt_real t1 = PRT__R(0.282094791773878143474) * f[0] + (PRT__R(0.488602511902919921586) * z) * f[2];
     const prt_real t2 = z * z;
     const prt_real t3 = PRT__R(0.825888983611586872968) * t2 - PRT__R(0.412944491805793436484);
@@ -7416,7 +7419,7 @@ PRT__STATIC void prt__ch_at_9(prt_real x, prt_real y, prt_real z, const prt_real
     const prt_real t24 = (PRT__R(0.488602511902919921586) * f[3] + t13 * f[7]) + t14 * f[13];
     const prt_real t25 = (((t24 + t17 * f[21]) + t19 * f[31]) + t20 * f[43]) + t21 * f[57];
     const prt_real t26 = (((t9 + t10 * f[42]) + t11 * f[56]) + t12 * f[72]) + (y * (t22 + t23 * f[71]) + x * (t25 + t23 * f[73]));
-    const prt_real t27 = x * y;
+    const prt_real t27 = y * x;
     const prt_real t28 = t27 + t27;
     const prt_real t29 = PRT__R(1.44530572132027702769) * z;
     const prt_real t30 = PRT__R(3.27764529177623721163) * t2 - PRT__R(0.546274215296039535272);
@@ -7428,7 +7431,7 @@ PRT__STATIC void prt__ch_at_9(prt_real x, prt_real y, prt_real z, const prt_real
     const prt_real t36 = PRT__R(2.06485074947180018626) * (z * t35) - PRT__R(1.00887444616012613957) * t33;
     const prt_real t37 = PRT__R(2.047379529757827986) * (z * t36) - PRT__R(1.0065555134461126069) * t35;
     const prt_real t38 = (((t31 + t33 * f[28]) + t35 * f[40]) + t36 * f[54]) + t37 * f[70];
-    const prt_real t39 = (x + y) * (x - y);
+    const prt_real t39 = (y + x) * (x - y);
     const prt_real t40 = (PRT__R(0.546274215296039535272) * f[8] + t29 * f[14]) + t30 * f[22];
     const prt_real t41 = (((t40 + t33 * f[32]) + t35 * f[44]) + t36 * f[58]) + t37 * f[74];
     const prt_real t42 = y * y;
@@ -7482,7 +7485,7 @@ PRT__STATIC void prt__ch_at_9(prt_real x, prt_real y, prt_real z, const prt_real
 }
 
 /* CH value, 10 bands: 230 multiplications, 164 additions (138 can fuse), 100 loads, 1 stores */
-PRT__STATIC void prt__ch_at_10(prt_real x, prt_real y, prt_real z, const prt_real *f, prt_real *PRT__RESTRICT out) {
+PRT__STATIC void prt__ch_at_10(const prt_real *f, prt_real x, prt_real y, prt_real z, prt_real *PRT__RESTRICT out) {
     const prt_real t1 = PRT__R(0.282094791773878143474) * f[0] + (PRT__R(0.488602511902919921586) * z) * f[2];
     const prt_real t2 = z * z;
     const prt_real t3 = PRT__R(0.825888983611586872968) * t2 - PRT__R(0.412944491805793436484);
@@ -7512,7 +7515,7 @@ PRT__STATIC void prt__ch_at_10(prt_real x, prt_real y, prt_real z, const prt_rea
     const prt_real t27 = (PRT__R(0.488602511902919921586) * f[3] + t15 * f[7]) + t16 * f[13];
     const prt_real t28 = (((t27 + t19 * f[21]) + t21 * f[31]) + t22 * f[43]) + t23 * f[57];
     const prt_real t29 = y * ((t24 + t25 * f[71]) + t26 * f[89]) + x * ((t28 + t25 * f[73]) + t26 * f[91]);
-    const prt_real t30 = x * y;
+    const prt_real t30 = y * x;
     const prt_real t31 = t30 + t30;
     const prt_real t32 = PRT__R(1.44530572132027702769) * z;
     const prt_real t33 = PRT__R(3.27764529177623721163) * t2 - PRT__R(0.546274215296039535272);
@@ -7525,7 +7528,7 @@ PRT__STATIC void prt__ch_at_10(prt_real x, prt_real y, prt_real z, const prt_rea
     const prt_real t40 = PRT__R(2.047379529757827986) * (z * t39) - PRT__R(1.0065555134461126069) * t38;
     const prt_real t41 = (((t34 + t36 * f[28]) + t38 * f[40]) + t39 * f[54]) + t40 * f[70];
     const prt_real t42 = PRT__R(2.03608622627713160396) * (z * t40) - PRT__R(1.00494030387093691765) * t39;
-    const prt_real t43 = (x + y) * (x - y);
+    const prt_real t43 = (y + x) * (x - y);
     const prt_real t44 = (PRT__R(0.546274215296039535272) * f[8] + t32 * f[14]) + t33 * f[22];
     const prt_real t45 = (((t44 + t36 * f[32]) + t38 * f[44]) + t39 * f[58]) + t40 * f[74];
     const prt_real t46 = (t14 + t29) + (t31 * (t41 + t42 * f[88]) + t43 * (t45 + t42 * f[92]));

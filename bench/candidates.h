@@ -43,6 +43,11 @@ BATCH(cubemap,      "cubemap",  "prt_sh_project_cubemap_rgb", LOW, CUBE_TEXELS, 
 EACH (convolve,     "convolve", "prt_sh_convolve",      LOW, 64,    prt_sh_convolve(n, F, G, OUT), 1.0 * n * n + 2 * n, n * n + n, n * n)
 EACH (irradiance,   "irradiance", "prt_sh_irradiance",  LOW, 64,    prt_sh_irradiance(n, F, OUT), 1.0 * n * n + n, n * n, n * n)
 
+/* >>convert */
+EACH (convert,      "convert",  "prt_sh_convert",       LOW, 64,    prt_sh_convert(n, PRT_CONVENTION_SPLAT, PRT_CONVENTION_PRT, F, OUT), 0, n * n, n * n)
+EACH (axes_xy,      "axes",     "prt_sh_convert_axes, z stays", ALL, 64, prt_sh_convert_axes(n, PRT_AXES_UNREAL, PRT_AXES_BLENDER, F, OUT), 0, n * n, n * n)
+EACH (axes_yz,      "axes",     "prt_sh_convert_axes, y up", ALL, 64, prt_sh_convert_axes(n, PRT_AXES_OPENGL, PRT_AXES_BLENDER, F, OUT), 0, n * n, n * n)
+
 /* >>window */
 EACH (window,       "window",   "prt_sh_window, Hann",  LOW, 64,    prt_sh_window(n, PRT_WINDOW_HANN, n, F, OUT), 0, n * n, n * n)
 
@@ -57,6 +62,9 @@ BATCH(rotate_by_soa, "rotate_by_n", "prt_sh_rotate_by_soa", ALL, ITEMS, prt_sh_r
 EACH (ch_eval,      "ch_eval",  "prt_ch_eval",          ALL, ITEMS, prt_ch_eval(n, DIR(k), OUT), EVAL_FLOPS, 3, n * n)
 BATCH(ch_eval_n,    "ch_eval_n", "prt_ch_eval_n",       LOW, ITEMS, prt_ch_eval_n(n, items, DIRS, OUT), EVAL_FLOPS, 3, n * n)
 BATCH(ch_eval_soa,  "ch_eval_soa", "prt_ch_eval_soa",   LOW, ITEMS, prt_ch_eval_soa(n, items, X, Y, Z, OUT, (size_t)items), EVAL_FLOPS, 3, n * n)
+EACH (ch_sh_eval,   "ch_eval",  "prt_sh_eval, to compare", ALL, ITEMS, prt_sh_eval(n, DIR(k), OUT), EVAL_FLOPS, 3, n * n)
+BATCH(ch_sh_eval_n, "ch_eval_n", "prt_sh_eval_n, to compare", LOW, ITEMS, prt_sh_eval_n(n, items, DIRS, OUT), EVAL_FLOPS, 3, n * n)
+BATCH(ch_sh_soa,    "ch_eval_soa", "prt_sh_eval_soa, to compare", LOW, ITEMS, prt_sh_eval_soa(n, items, X, Y, Z, OUT, (size_t)items), EVAL_FLOPS, 3, n * n)
 EACH (ch_at,        "ch_at",    "prt_ch_at",            LOW, ITEMS, OUT[0] = prt_ch_at(n, F, DIR(k)), EVAL_FLOPS + 2.0 * n * n, 3 + n * n, 1)
 EACH (ch_from_sh,   "ch_from_sh", "prt_ch_from_sh",     LOW, 64,    prt_ch_from_sh(n, F, OUT), 0, n * n, n * n)
 EACH (sh_from_ch,   "sh_from_ch", "prt_sh_from_ch",     LOW, 64,    prt_sh_from_ch(n, F, OUT), 0, n * n, n * n)

@@ -38,6 +38,8 @@ TITLES = {
     "rotation": "Build rotation matrices (`prt_sh_rotation`)",
     "rotate_by": "Rotate one vector by built matrices (`prt_sh_rotate_by`)",
     "rotate_by_n": "Rotate many vectors by built matrices",
+    "convert": "Coefficients of another program (`prt_sh_convert`)",
+    "axes": "Axes of another world (`prt_sh_convert_axes`)",
     "ch_eval": "Evaluate cpherical harmonics in one direction (`prt_ch_eval`)",
     "ch_eval_n": "Evaluate cpherical harmonics in many directions, row by row (`prt_ch_eval_n`)",
     "ch_eval_soa": "Evaluate cpherical harmonics, coefficient by coefficient (`prt_ch_eval_soa`)",

@@ -55,12 +55,14 @@ static unsigned hash_node(const node_data *n) {
     memcpy(bytes, &rounded, sizeof rounded);
     h = (h * 16777619u) ^ (unsigned)n->a;
     h = (h * 16777619u) ^ (unsigned)n->b;
+    h = (h * 16777619u) ^ (unsigned)n->c;
+    h = (h * 16777619u) ^ (unsigned)n->d;
     for (i = 0; i < sizeof bytes; i++) h = (h * 16777619u) ^ bytes[i];
     return h;
 }
 
 static int same_node(const node_data *n, const node_data *o) {
-    return n->op == o->op && n->a == o->a && n->b == o->b && n->value == o->value;
+    return n->op == o->op && n->a == o->a && n->b == o->b && n->c == o->c && n->d == o->d && n->value == o->value;
 }
 
 static void insert_bucket(kernel *k, int index) {
@@ -78,10 +80,10 @@ static void rehash(kernel *k) {
     for (i = 0; i < k->node_count; i++) insert_bucket(k, i);
 }
 
-static node intern(kernel *k, node_op op, node a, node b, xreal value) {
+static node intern4(kernel *k, node_op op, node a, node b, node c, node d, xreal value) {
     node_data n;
     unsigned slot;
-    n.op = op; n.a = a; n.b = b; n.value = value; n.uses = 0;
+    n.op = op; n.a = a; n.b = b; n.c = c; n.d = d; n.value = value; n.uses = 0;
     if (k->node_count == k->node_capacity) {
         k->nodes = (node_data *)grow(k->nodes, &k->node_capacity, sizeof *k->nodes);
         rehash(k);
@@ -92,6 +94,8 @@ static node intern(kernel *k, node_op op, node a, node b, xreal value) {
     k->buckets[slot] = ++k->node_count;
     return k->node_count - 1;
 }
+
+static node intern(kernel *k, node_op op, node a, node b, xreal value) { return intern4(k, op, a, b, 0, 0, value); }
 
 /* ---- building, with the folds that keep the value ---- */
 
@@ -157,18 +161,29 @@ node k_neg(kernel *k, node a) {
 node k_sqrt(kernel *k, node a) { return intern(k, OP_SQRT, a, 0, 0); }
 node k_min(kernel *k, node a, node b) { return a < b ? intern(k, OP_MIN, a, b, 0) : intern(k, OP_MIN, b, a, 0); }
 node k_max(kernel *k, node a, node b) { return a < b ? intern(k, OP_MAX, a, b, 0) : intern(k, OP_MAX, b, a, 0); }
+node k_sin(kernel *k, node a) { return intern(k, OP_SIN, a, 0, 0); }
+node k_cos(kernel *k, node a) { return intern(k, OP_COS, a, 0, 0); }
+node k_select(kernel *k, node a, node b, node c, node d) { return c == d ? c : intern4(k, OP_SELECT, a, b, c, d, 0); }
 node k_scale(kernel *k, xreal factor, node a) { return k_mul(k, k_const(k, factor), a); }
 node k_madd(kernel *k, node a, node b, node c) { return k_add(k, k_mul(k, a, b), c); }
 
 /* ---- counting ---- */
 
-static int is_unary(node_op op) { return op == OP_NEG || op == OP_SQRT; }
-static int is_leaf(node_op op) { return op == OP_CONST || op == OP_INPUT; }
+int op_operands(node_op op) {
+    switch (op) {
+    case OP_CONST: case OP_INPUT: return 0;
+    case OP_NEG: case OP_SQRT: case OP_SIN: case OP_COS: return 1;
+    case OP_SELECT: return 4;
+    default: return 2;
+    }
+}
 
 static void use(kernel *k, node n) {
-    if (k->nodes[n].uses++ || is_leaf(k->nodes[n].op)) return;
-    use(k, k->nodes[n].a);
-    if (!is_unary(k->nodes[n].op)) use(k, k->nodes[n].b);
+    node operand[4];
+    int i;
+    operand[0] = k->nodes[n].a; operand[1] = k->nodes[n].b; operand[2] = k->nodes[n].c; operand[3] = k->nodes[n].d;
+    if (k->nodes[n].uses++) return;
+    for (i = 0; i < op_operands(k->nodes[n].op); i++) use(k, operand[i]);
 }
 
 void kernel_count_uses(kernel *k) {
@@ -189,7 +204,7 @@ op_count kernel_operations(const kernel *k) {
         if (!n->uses) continue;
         switch (n->op) {
         case OP_CONST: case OP_NEG: break;
-        case OP_INPUT: c.loads += n->b >= 0; break;
+        case OP_INPUT: c.loads += k->params[n->a].kind == PARAM_INPUT; break;
         case OP_ADD: case OP_SUB:
             c.additions++;
             c.fused += lone_product(k, n->a) || lone_product(k, n->b);
@@ -197,7 +212,7 @@ op_count kernel_operations(const kernel *k) {
         case OP_MUL: c.multiplications++; break;
         case OP_DIV: c.divisions++; break;
         case OP_SQRT: c.roots++; break;
-        case OP_MIN: case OP_MAX: c.others++; break;
+        case OP_MIN: case OP_MAX: case OP_SELECT: case OP_SIN: case OP_COS: c.others++; break;
         }
     }
     return c;

@@ -10,18 +10,23 @@
 
 typedef int node;                                      /* index into kernel.nodes */
 
-typedef enum node_op { OP_CONST, OP_INPUT, OP_ADD, OP_SUB, OP_MUL, OP_DIV, OP_NEG, OP_SQRT, OP_MIN, OP_MAX } node_op;
+typedef enum node_op {
+    OP_CONST, OP_INPUT, OP_ADD, OP_SUB, OP_MUL, OP_DIV, OP_NEG, OP_SQRT, OP_SIN, OP_COS, OP_MIN, OP_MAX,
+    OP_SELECT                                          /* a < b ? c : d */
+} node_op;
 
 typedef struct node_data {
     node_op op;
-    node a, b;                                         /* operands; for OP_INPUT: parameter, element (or -1) */
+    node a, b, c, d;                                   /* operands; for OP_INPUT: parameter, element (or -1) */
     xreal value;                                       /* OP_CONST */
     int uses;                                          /* by outputs and by nodes that an output needs */
 } node_data;
 
-typedef enum param_kind { PARAM_SCALAR, PARAM_INPUT, PARAM_OUTPUT } param_kind;
+/* A direction is three scalars x, y, z in C and one vector elsewhere. A result is what a shader's function returns, one
+   value or a vector of three; in C it is an output array. */
+typedef enum param_kind { PARAM_SCALAR, PARAM_DIRECTION, PARAM_INPUT, PARAM_OUTPUT, PARAM_RESULT } param_kind;
 
-typedef struct param { const char *name; param_kind kind; int count; } param;   /* count: elements of an array */
+typedef struct param { const char *name; param_kind kind; int count; } param;   /* count: elements; 0 for a scalar */
 typedef struct output { int param, element; node value; } output;
 
 typedef struct kernel {
@@ -37,18 +42,20 @@ typedef struct kernel {
     int output_count, output_capacity;
 } kernel;
 
-/* Operations of a finished kernel. fused: additions whose operand is a product that nothing else uses. */
+/* Operations of a finished kernel. fused: additions whose operand is a product that nothing else uses; others: minima,
+   maxima, selections, sines and cosines. */
 typedef struct op_count { int multiplications, additions, fused, divisions, roots, others, loads, stores; } op_count;
 
 kernel  *kernel_new(const char *name, const char *summary);
 void     kernel_free(kernel *k);
-int      kernel_param(kernel *k, const char *name, param_kind kind, int count);   /* count 0 for a scalar; returns its index */
+int      kernel_param(kernel *k, const char *name, param_kind kind, int count);   /* returns its index */
 void     kernel_output(kernel *k, int to, int element, node value);
 void     kernel_count_uses(kernel *k);
+int      op_operands(node_op op);                      /* how many of a, b, c, d it has; 0 for constants and inputs */
 op_count kernel_operations(const kernel *k);           /* after kernel_count_uses */
 
 node k_const(kernel *k, xreal value);
-node k_scalar(kernel *k, int from);                    /* parameter by index */
+node k_scalar(kernel *k, int from);                    /* the parameter of this index */
 node k_element(kernel *k, int from, int element);
 node k_add(kernel *k, node a, node b);
 node k_sub(kernel *k, node a, node b);
@@ -58,6 +65,9 @@ node k_neg(kernel *k, node a);
 node k_sqrt(kernel *k, node a);
 node k_min(kernel *k, node a, node b);
 node k_max(kernel *k, node a, node b);
+node k_sin(kernel *k, node a);
+node k_cos(kernel *k, node a);
+node k_select(kernel *k, node a, node b, node c, node d);                 /* a < b ? c : d */
 node k_scale(kernel *k, xreal factor, node a);         /* factor * a */
 node k_madd(kernel *k, node a, node b, node c);        /* a * b + c */
 

@@ -55,19 +55,32 @@ static void phasor(kernel *k, int m, node x, node y, node *re, node *im) {
 /* A kernel of n bands about a direction x, y, z: its columns and phasors */
 typedef struct direction { node x, y, z, z2, re[64], im[64]; xreal sector; } direction;
 
-static kernel *basis_kernel(const basis *b, const char *verb, const char *what, int bands, direction *d) {
+kernel *named_kernel(const char *family, const char *what, int bands) {
     char name[64], summary[160];
-    kernel *k;
-    snprintf(name, sizeof name, "%s_%s_%d", b->name, verb, bands);
-    snprintf(summary, sizeof summary, "%s %s, %d band%s", b->title, what, bands, bands == 1 ? "" : "s");
-    k = kernel_new(name, summary);
-    d->x = k_scalar(k, kernel_param(k, "x", PARAM_SCALAR, 0));
-    d->y = k_scalar(k, kernel_param(k, "y", PARAM_SCALAR, 0));
-    d->z = k_scalar(k, kernel_param(k, "z", PARAM_SCALAR, 0));
+    snprintf(name, sizeof name, "%s_%d", family, bands);
+    snprintf(summary, sizeof summary, "%s, %d band%s", what, bands, bands == 1 ? "" : "s");
+    return kernel_new(name, summary);
+}
+
+static kernel *basis_kernel(const basis *b, const char *verb, const char *what, int bands) {
+    char family[32], title[64];
+    snprintf(family, sizeof family, "%s_%s", b->name, verb);
+    snprintf(title, sizeof title, "%s %s", b->title, what);
+    return named_kernel(family, title, bands);
+}
+
+static void set_direction(kernel *k, node x, node y, node z, direction *d) {
+    d->x = x;
+    d->y = y;
+    d->z = z;
     d->z2 = k_mul(k, d->z, d->z);
     d->re[1] = d->x;
     d->im[1] = d->y;
-    return k;
+}
+
+static void direction_param(kernel *k, const char *name, direction *d) {
+    int dir = kernel_param(k, name, PARAM_DIRECTION, 3);
+    set_direction(k, k_element(k, dir, 0), k_element(k, dir, 1), k_element(k, dir, 2), d);
 }
 
 /* To be called for m = 0, 1, 2 ...: fills re[m], im[m] and p[m ... bands-1] */
@@ -81,9 +94,11 @@ static void next_column(kernel *k, const basis *b, int bands, int m, direction *
 /* y[l(l+1) +- m] = p(l,m) {Re,Im}(x+iy)^m, m outer and l inner, so that a phasor is done with before the next starts */
 kernel *describe_eval(const basis *b, int bands) {
     direction d;
-    kernel *k = basis_kernel(b, "eval", "basis", bands, &d);
-    int out = kernel_param(k, "out", PARAM_OUTPUT, bands * bands), l, m;
+    kernel *k = basis_kernel(b, "eval", "basis", bands);
+    int out, l, m;
     node p[64];
+    direction_param(k, "dir", &d);
+    out = kernel_param(k, "out", PARAM_OUTPUT, bands * bands);
     for (m = 0; m < bands; m++) {
         next_column(k, b, bands, m, &d, p);
         for (l = m; l < bands; l++) {
@@ -98,9 +113,11 @@ kernel *describe_eval(const basis *b, int bands) {
    value of the basis is formed. */
 kernel *describe_at(const basis *b, int bands) {
     direction d;
-    kernel *k = basis_kernel(b, "at", "value", bands, &d);
-    int f = kernel_param(k, "f", PARAM_INPUT, bands * bands), out = kernel_param(k, "out", PARAM_OUTPUT, 1), l, m;
+    kernel *k = basis_kernel(b, "at", "value", bands);
+    int f = kernel_param(k, "f", PARAM_INPUT, bands * bands), out, l, m;
     node p[64], sum = k_const(k, 0);
+    direction_param(k, "dir", &d);
+    out = kernel_param(k, "out", PARAM_RESULT, 1);
     for (m = 0; m < bands; m++) {
         node plus = k_const(k, 0), minus = k_const(k, 0);
         next_column(k, b, bands, m, &d, p);
@@ -113,6 +130,20 @@ kernel *describe_at(const basis *b, int bands) {
     }
     kernel_output(k, out, 0, sum);
     return k;
+}
+
+void sh_values(kernel *k, int bands, node x, node y, node z, node *values) {
+    direction d;
+    node p[64];
+    int l, m;
+    set_direction(k, x, y, z, &d);
+    for (m = 0; m < bands; m++) {
+        next_column(k, &sh, bands, m, &d, p);
+        for (l = m; l < bands; l++) {
+            values[l * (l + 1) - m] = k_mul(k, p[l], m ? d.im[m] : k_const(k, 1));
+            values[l * (l + 1) + m] = k_mul(k, p[l], m ? d.re[m] : k_const(k, 1));
+        }
+    }
 }
 
 kernel *describe_sh_eval(int bands) { return describe_eval(&sh, bands); }

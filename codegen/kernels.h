@@ -18,6 +18,8 @@ typedef struct family {
 typedef xreal factor(int l, int m);
 typedef struct basis { const char *name, *title; factor *a, *c; } basis;
 kernel *describe_eval(const basis *b, int bands);
+void sh_values(kernel *k, int bands, node x, node y, node z, node *values);        /* values[bands^2] = Y(l,m)(x,y,z) */
+kernel *named_kernel(const char *family, const char *what, int bands);             /* "family_bands": "what, bands bands" */
 kernel *describe_at(const basis *b, int bands);
 
 factor sh_factor_a, ch_factor_a;
@@ -25,5 +27,17 @@ kernel *describe_sh_eval(int bands);
 kernel *describe_sh_at(int bands);
 kernel *describe_ch_eval(int bands);
 kernel *describe_ch_at(int bands);
+kernel *describe_sh_delta(int bands);
+kernel *describe_sh_cone(int bands);
+kernel *describe_sh_sphere(int bands);
+kernel *describe_sh_cosine_lobe(int bands);
+kernel *describe_sh_hemisphere(int bands);
+kernel *describe_sh_convolve(int bands);
+kernel *describe_sh_irradiance(int bands);
+kernel *describe_sh_window_hann(int bands);
+kernel *describe_sh_window_lanczos(int bands);
+kernel *describe_sh_window_positive(int bands);
+kernel *describe_sh_dot(int bands);
+kernel *describe_shade_diffuse(int bands);
 
 #endif

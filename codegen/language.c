@@ -3,55 +3,76 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { EXPRESSION_MAX = 400, INLINE_MAX = 60 };        /* longer expressions become temporaries */
+enum { EXPRESSION_MAX = 400, OPERAND_MAX = 90, INLINE_MAX = 60 };      /* longer operands become temporaries */
+
+static void print_summary(FILE *to, const dialect *d, const kernel *k) {
+    op_count c = kernel_operations(k);
+    fprintf(to, "%s%s: %d multiplications, %d additions (%d can fuse)", d->comment_open, k->summary, c.multiplications,
+            c.additions, c.fused);
+    if (c.divisions) fprintf(to, ", %d divisions", c.divisions);
+    if (c.roots) fprintf(to, ", %d square roots", c.roots);
+    if (c.others) fprintf(to, ", %d others", c.others);
+    if (c.loads) fprintf(to, ", %d loads", c.loads);
+    fprintf(to, ", %d stores%s\n", c.stores, d->comment_close);
+}
 
 /* ---- the C of prt.h ---- */
 
-static void print_operations(FILE *to, const kernel *k) {
-    op_count c = kernel_operations(k);
-    fprintf(to, "%d multiplications, %d additions (%d can fuse)", c.multiplications, c.additions, c.fused);
-    if (c.divisions) fprintf(to, ", %d divisions", c.divisions);
-    if (c.roots) fprintf(to, ", %d square roots", c.roots);
-    if (c.others) fprintf(to, ", %d minima or maxima", c.others);
-    if (c.loads) fprintf(to, ", %d loads", c.loads);
-    fprintf(to, ", %d stores", c.stores);
+static const char axis_name[3] = { 'x', 'y', 'z' };
+
+/* Separates parameters, breaking lines at 100 columns */
+static int next_parameter(FILE *to, int column, int first) {
+    if (!first) column += fprintf(to, ", ");
+    if (column > 92) { fprintf(to, "\n    "); column = 4; }
+    return column;
+}
+
+/* A kernel need not use every parameter: one band is constant. */
+static void print_unused(FILE *to, const kernel *k, int components) {
+    int i, j;
+    for (i = 0; i < k->param_count; i++) {
+        const param *p = &k->params[i];
+        int used[3] = { 0, 0, 0 };
+        if (p->kind == PARAM_OUTPUT || p->kind == PARAM_RESULT) continue;
+        for (j = 0; j < k->node_count; j++)
+            if (k->nodes[j].op == OP_INPUT && k->nodes[j].a == i && k->nodes[j].uses)
+                used[p->kind == PARAM_DIRECTION && components ? k->nodes[j].b : 0] = 1;
+        if (p->kind == PARAM_DIRECTION && components) {
+            for (j = 0; j < 3; j++)
+                if (!used[j]) fprintf(to, "    (void)%c;\n", axis_name[j]);
+        } else if (!used[0]) fprintf(to, "    (void)%s;\n", p->name);
+    }
 }
 
 /* head: storage class; tail: rest of the name; last: parameters after those of the kernel */
-static void open_c_form(FILE *to, const kernel *k, const char *prefix, const char *head, const char *tail, const char *scalar,
-                        const char *last) {
-    int i, column;
-    fprintf(to, "/* %s: ", k->summary);
-    print_operations(to, k);
-    fprintf(to, " */\n");
-    column = fprintf(to, "%s void %s%s%s(", head, prefix, k->name, tail);
+static void open_header_form(FILE *to, const kernel *k, const char *name, const char *head, const char *tail,
+                             const char *scalar, const char *last) {
+    int i, column = fprintf(to, "%s void %s%s(", head, name, tail);
     for (i = 0; i < k->param_count; i++) {
         const param *p = &k->params[i];
-        if (i) fprintf(to, ", ");
-        if (column > 88) { fprintf(to, "\n    "); column = 4; }
+        column = next_parameter(to, column, i == 0);
         switch (p->kind) {
-        case PARAM_SCALAR: column += fprintf(to, "%s %s", scalar, p->name); break;
-        case PARAM_INPUT:  column += fprintf(to, "const prt_real *%s", p->name); break;
-        case PARAM_OUTPUT: column += fprintf(to, "prt_real *PRT__RESTRICT %s", p->name); break;
+        case PARAM_SCALAR:    column += fprintf(to, "%s %s", scalar, p->name); break;
+        case PARAM_DIRECTION: column += fprintf(to, "%s x, %s y, %s z", scalar, scalar, scalar); break;
+        case PARAM_INPUT:     column += fprintf(to, "const prt_real *%s", p->name); break;
+        case PARAM_OUTPUT: case PARAM_RESULT: column += fprintf(to, "prt_real *PRT__RESTRICT %s", p->name); break;
         }
     }
-    fprintf(to, "%s%s) {\n", *last && column + strlen(last) > 116 ? ",\n    " : *last ? ", " : "", last);
-    for (i = 0; i < k->param_count; i++) {             /* a kernel need not use every parameter: one band is constant */
-        const param *p = &k->params[i];
-        int used = 0, j;
-        if (p->kind == PARAM_OUTPUT) continue;
-        for (j = 0; j < k->node_count; j++)
-            used |= k->nodes[j].op == OP_INPUT && k->nodes[j].a == i && k->nodes[j].uses;
-        if (!used) fprintf(to, "    (void)%s;\n", p->name);
+    if (*last) {
+        next_parameter(to, column + (int)strlen(last) - 14, 0);
+        fprintf(to, "%s", last);
     }
+    fprintf(to, ") {\n");
+    print_unused(to, k, 1);
 }
 
-static void open_c(FILE *to, const kernel *k, const char *prefix) {
-    open_c_form(to, k, prefix, "PRT__STATIC", "", "prt_real", "");
+static void open_header(FILE *to, const kernel *k, const char *name) {
+    open_header_form(to, k, name, "PRT__STATIC", "", "prt_real", "");
 }
 
 static void load_c(char *text, size_t size, const param *p, int element) {
-    if (element < 0) snprintf(text, size, "%s", p->name);
+    if (p->kind == PARAM_DIRECTION) snprintf(text, size, "%c", axis_name[element]);
+    else if (element < 0) snprintf(text, size, "%s", p->name);
     else snprintf(text, size, "%s[%d]", p->name, element);
 }
 
@@ -61,15 +82,16 @@ static void store_c(FILE *to, const param *p, int element, const char *value, in
     fprintf(to, "    %s[%d] = %s;\n", p->name, element, value);
 }
 
-const dialect dialect_c = {
-    "c", "const prt_real ", "prt__min", "prt__max", "prt__sqrt", 21, "PRT__R(", ")", open_c, load_c, store_c, NULL
+const dialect dialect_header = {
+    "c", "/* ", " */", "const prt_real %s = ", "prt__min", "prt__max", "prt__sqrt", "prt__sin", "prt__cos", "%s < %s ? %s : %s",
+    21, "PRT__R(", ")", open_header, load_c, store_c, NULL, 0, NULL
 };
 
-static void open_c_lanes(FILE *to, const kernel *k, const char *prefix) {
+static void open_header_lanes(FILE *to, const kernel *k, const char *name) {
     int i;
-    open_c_form(to, k, prefix, "PRT__STATIC", "_v", "prt__vec", "size_t stride");
+    open_header_form(to, k, name, "PRT__STATIC", "_v", "prt__vec", "size_t stride");
     for (i = 0; i < k->param_count; i++)
-        if (k->params[i].kind != PARAM_SCALAR && k->params[i].count > 1) return;
+        if (k->params[i].kind != PARAM_SCALAR && k->params[i].kind != PARAM_DIRECTION && k->params[i].count > 1) return;
     fprintf(to, "    (void)stride;\n");
 }
 
@@ -79,64 +101,196 @@ static void element_address(char *text, size_t size, const param *p, int element
     else snprintf(text, size, "%s + %d * stride", p->name, element);
 }
 
-static void load_c_lanes(char *text, size_t size, const param *p, int element) {
+static void load_header_lanes(char *text, size_t size, const param *p, int element) {
     char address[64];
-    if (element < 0) { snprintf(text, size, "%s", p->name); return; }
+    if (p->kind == PARAM_DIRECTION || element < 0) { load_c(text, size, p, element); return; }
     element_address(address, sizeof address, p, element);
     snprintf(text, size, "prt__vec_load(%s)", address);
 }
 
-static void print_store_c_lanes(FILE *to, const param *p, int element, const char *value, int is_constant) {
+static void print_store_lanes(FILE *to, const param *p, int element, const char *value, int is_constant) {
     char address[64];
     element_address(address, sizeof address, p, element);
     fprintf(to, is_constant ? "prt__vec_store(%s, prt__vec_set(%s));\n" : "prt__vec_store(%s, %s);\n", address, value);
 }
 
-static void store_c_lanes(FILE *to, const param *p, int element, const char *value, int is_constant, int number) {
+static void store_header_lanes(FILE *to, const param *p, int element, const char *value, int is_constant, int number) {
     (void)number;
     fprintf(to, "    ");
-    print_store_c_lanes(to, p, element, value, is_constant);
+    print_store_lanes(to, p, element, value, is_constant);
 }
 
-const dialect dialect_c_lanes = {
-    "c", "const prt__vec ", "prt__vec_min", "prt__vec_max", "prt__vec_sqrt", 21, "PRT__R(", ")",
-    open_c_lanes, load_c_lanes, store_c_lanes, NULL
+const dialect dialect_header_lanes = {
+    "c", "/* ", " */", "const prt__vec %s = ", "prt__vec_min", "prt__vec_max", "prt__vec_sqrt", "prt__vec_sin", "prt__vec_cos",
+    "%s < %s ? %s : %s", 21, "PRT__R(", ")", open_header_lanes, load_header_lanes, store_header_lanes, NULL, 0, NULL
 };
 
 /* Swept: the kernel is inlined once a sweep with constant bounds on the number of the store, which leaves of it just what
    the stores of the sweep need. */
 enum { SWEEP_ROWS = 8 };
 
-static void open_c_swept(FILE *to, const kernel *k, const char *prefix) {
-    open_c_form(to, k, prefix, "PRT__INLINE", "_part", "prt__vec", "size_t stride, int first, int last");
+static void open_header_swept(FILE *to, const kernel *k, const char *name) {
+    open_header_form(to, k, name, "PRT__INLINE", "_part", "prt__vec", "size_t stride, int first, int last");
     if (k->output_count == 1) fprintf(to, "    (void)stride;\n");
 }
 
-static void store_c_swept(FILE *to, const param *p, int element, const char *value, int is_constant, int number) {
+static void store_header_swept(FILE *to, const param *p, int element, const char *value, int is_constant, int number) {
     fprintf(to, "    if (first <= %d && %d < last)%s", number, number, strlen(value) > 52 ? "\n        " : " ");
-    print_store_c_lanes(to, p, element, value, is_constant);
+    print_store_lanes(to, p, element, value, is_constant);
 }
 
 /* The sweeps over `vectors` vectors of items, scalar parameters as arrays; all sweeps but the last have equally many rows. */
-static void close_c_swept(FILE *to, const kernel *k, const char *prefix) {
+static void close_header_swept(FILE *to, const kernel *k, const char *name) {
     int parts = (k->output_count + SWEEP_ROWS - 1) / SWEEP_ROWS, rows = (k->output_count + parts - 1) / parts, first, i;
-    fprintf(to, "PRT__STATIC void %s%s_v(int vectors", prefix, k->name);
+    fprintf(to, "PRT__STATIC void %s_v(int vectors", name);
     for (i = 0; i < k->param_count; i++)
-        fprintf(to, k->params[i].kind == PARAM_OUTPUT ? ",\n    prt_real *PRT__RESTRICT %s" : ", const prt_real *%s", k->params[i].name);
+        switch (k->params[i].kind) {
+        case PARAM_DIRECTION: fprintf(to, ", const prt_real *x, const prt_real *y, const prt_real *z"); break;
+        case PARAM_SCALAR: case PARAM_INPUT: fprintf(to, ", const prt_real *%s", k->params[i].name); break;
+        case PARAM_OUTPUT: case PARAM_RESULT: fprintf(to, ",\n    prt_real *PRT__RESTRICT %s", k->params[i].name); break;
+        }
     fprintf(to, ", size_t stride) {\n    int k;\n");
     for (first = 0; first < k->output_count; first += rows) {
-        fprintf(to, "    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)\n        %s%s_part(", prefix, k->name);
+        fprintf(to, "    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)\n        %s_part(", name);
         for (i = 0; i < k->param_count; i++)
-            fprintf(to, k->params[i].kind == PARAM_SCALAR ? "prt__vec_load(%s + k), " : "%s + k, ", k->params[i].name);
+            switch (k->params[i].kind) {
+            case PARAM_DIRECTION: fprintf(to, "prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), "); break;
+            case PARAM_SCALAR: fprintf(to, "prt__vec_load(%s + k), ", k->params[i].name); break;
+            default: fprintf(to, "%s + k, ", k->params[i].name); break;
+            }
         fprintf(to, "stride, %d, %d);\n", first, first + rows < k->output_count ? first + rows : k->output_count);
     }
     fprintf(to, "}\n\n");
 }
 
-const dialect dialect_c_swept = {
-    "c", "const prt__vec ", "prt__vec_min", "prt__vec_max", "prt__vec_sqrt", 21, "PRT__R(", ")",
-    open_c_swept, load_c_lanes, store_c_swept, close_c_swept
+const dialect dialect_header_swept = {
+    "c", "/* ", " */", "const prt__vec %s = ", "prt__vec_min", "prt__vec_max", "prt__vec_sqrt", "prt__vec_sin", "prt__vec_cos",
+    "%s < %s ? %s : %s", 21, "PRT__R(", ")", open_header_swept, load_header_lanes, store_header_swept, close_header_swept, 0, NULL
 };
+
+/* ---- languages to embed in other programs: c, glsl, hlsl, wgsl, metal ---- */
+
+/* Words that some language keeps for itself take another name in all of them. */
+static const char *safe_name(const char *name) {
+    static const char *const taken[][2] = {
+        { "out", "result" }, { "in", "source" }, { "filter", "mask" }, { "sample", "sample_" }, { "half", "half_" },
+        { "input", "source" }, { "output", "result" }, { "inout", "inout_" }, { "active", "active_" }
+    };
+    size_t i;
+    for (i = 0; i < sizeof taken / sizeof taken[0]; i++)
+        if (!strcmp(name, taken[i][0])) return taken[i][1];
+    return name;
+}
+
+/* What a signature is made of: printf formats of (name) or (name, count). */
+typedef struct signature {
+    const char *head_void, *head_real, *head_vec3;     /* up to the parenthesis, with the name */
+    const char *tail_void, *tail_real, *tail_vec3;     /* from the parenthesis to the brace */
+    const char *scalar, *direction, *array, *out_array;
+    int vectors;                                       /* a function can return three values as a vector */
+} signature;
+
+static void open_signature(FILE *to, const kernel *k, const char *name, const signature *s) {
+    int i, column, returned = 0, printed = 0;
+    for (i = 0; i < k->param_count; i++)
+        if (k->params[i].kind == PARAM_RESULT) returned = k->params[i].count;
+    column = fprintf(to, returned == 0 ? s->head_void : returned == 1 ? s->head_real : s->head_vec3, name);
+    for (i = 0; i < k->param_count; i++) {
+        const param *p = &k->params[i];
+        if (p->kind == PARAM_RESULT && (returned == 1 || s->vectors)) continue;
+        column = next_parameter(to, column, !printed++);
+        switch (p->kind) {
+        case PARAM_SCALAR:    column += fprintf(to, s->scalar, safe_name(p->name)); break;
+        case PARAM_DIRECTION: column += fprintf(to, s->direction, safe_name(p->name)); break;
+        case PARAM_INPUT:     column += fprintf(to, s->array, safe_name(p->name), p->count); break;
+        case PARAM_OUTPUT: case PARAM_RESULT: column += fprintf(to, s->out_array, safe_name(p->name), p->count); break;
+        }
+    }
+    fprintf(to, "%s", returned == 0 ? s->tail_void : returned == 1 ? s->tail_real : s->tail_vec3);
+}
+
+static void load_shader(char *text, size_t size, const param *p, int element) {
+    if (p->kind == PARAM_DIRECTION) snprintf(text, size, "%s.%c", safe_name(p->name), axis_name[element]);
+    else if (element < 0) snprintf(text, size, "%s", safe_name(p->name));
+    else snprintf(text, size, "%s[%d]", safe_name(p->name), element);
+}
+
+static void load_plain_c(char *text, size_t size, const param *p, int element) {
+    if (element < 0) snprintf(text, size, "%s", safe_name(p->name));
+    else snprintf(text, size, "%s[%d]", safe_name(p->name), element);
+}
+
+static void store_shader(FILE *to, const param *p, int element, const char *value, int is_constant, int number) {
+    (void)is_constant;
+    (void)number;
+    fprintf(to, "    %s[%d] = %s;\n", safe_name(p->name), element, value);
+}
+
+static void store_wgsl(FILE *to, const param *p, int element, const char *value, int is_constant, int number) {
+    (void)is_constant;
+    (void)number;
+    fprintf(to, "    (*%s)[%d] = %s;\n", safe_name(p->name), element, value);
+}
+
+#define DIALECT(id, language, signature_, declare_, select_, const_close_, load_, store_, result3_)                        \
+    static void open_##id(FILE *to, const kernel *k, const char *name) { open_signature(to, k, name, &signature_); }       \
+    static const dialect dialect_##id = { language, "// ", "", declare_, "min", "max", "sqrt", "sin", "cos", select_, 9, "", \
+                                          const_close_, open_##id, load_, store_, NULL, 1, result3_ };
+
+#define TERNARY "%s < %s ? %s : %s"
+
+static const signature signature_c = {
+    "static void %s(", "static float %s(", "static void %s(", ") {\n", ") {\n", ") {\n",
+    "float %s", "const float %s[3]", "const float %s[%d]", "float %s[%d]", 0
+};
+static void open_c(FILE *to, const kernel *k, const char *name) {
+    open_signature(to, k, name, &signature_c);
+    print_unused(to, k, 0);
+}
+static const dialect dialect_c = {
+    "c", "/* ", " */", "const float %s = ", "fminf", "fmaxf", "sqrtf", "sinf", "cosf", TERNARY, 9, "", "f",
+    open_c, load_plain_c, store_shader, NULL, 1, NULL
+};
+
+#define GLSL_SIGNATURE(real, vec3) {                                                                          \
+    "void %s(", real " %s(", vec3 " %s(", ") {\n", ") {\n", ") {\n",                                          \
+    real " %s", vec3 " %s", real " %s[%d]", "out " real " %s[%d]", 1 }
+static const signature signature_glsl = GLSL_SIGNATURE("float", "vec3");
+static const signature signature_glsl_half = GLSL_SIGNATURE("mediump float", "mediump vec3");
+DIALECT(glsl, "glsl", signature_glsl, "float %s = ", TERNARY, "", load_shader, store_shader, "vec3(%s, %s, %s)")
+DIALECT(glsl_half, "glsl", signature_glsl_half, "mediump float %s = ", TERNARY, "", load_shader, store_shader, "vec3(%s, %s, %s)")
+
+static const signature signature_hlsl = GLSL_SIGNATURE("float", "float3");
+static const signature signature_hlsl_half = GLSL_SIGNATURE("min16float", "min16float3");
+DIALECT(hlsl, "hlsl", signature_hlsl, "float %s = ", TERNARY, "f", load_shader, store_shader, "float3(%s, %s, %s)")
+DIALECT(hlsl_half, "hlsl", signature_hlsl_half, "min16float %s = ", TERNARY, "f", load_shader, store_shader, "min16float3(%s, %s, %s)")
+
+#define METAL_SIGNATURE(real, vec3) {                                                                         \
+    "static inline void %s(", "static inline " real " %s(", "static inline " vec3 " %s(", ") {\n", ") {\n", ") {\n", \
+    real " %s", vec3 " %s", "thread const " real " *%s", "thread " real " *%s", 1 }
+static const signature signature_metal = METAL_SIGNATURE("float", "float3");
+static const signature signature_metal_half = METAL_SIGNATURE("half", "half3");
+DIALECT(metal, "metal", signature_metal, "const float %s = ", TERNARY, "f", load_shader, store_shader, "float3(%s, %s, %s)")
+DIALECT(metal_half, "metal", signature_metal_half, "const half %s = ", TERNARY, "h", load_shader, store_shader, "half3(%s, %s, %s)")
+
+#define WGSL_SIGNATURE(real) {                                                                                \
+    "fn %s(", "fn %s(", "fn %s(", ") {\n", ") -> " real " {\n", ") -> vec3<" real "> {\n",                    \
+    "%s: " real, "%s: vec3<" real ">", "%s: array<" real ", %d>", "%s: ptr<function, array<" real ", %d>>", 1 }
+static const signature signature_wgsl = WGSL_SIGNATURE("f32");
+static const signature signature_wgsl_half = WGSL_SIGNATURE("f16");
+#define WGSL_SELECT "select(%4$s, %3$s, %1$s < %2$s)"
+DIALECT(wgsl, "wgsl", signature_wgsl, "let %s: f32 = ", WGSL_SELECT, "", load_shader, store_wgsl, "vec3<f32>(%s, %s, %s)")
+DIALECT(wgsl_half, "wgsl", signature_wgsl_half, "let %s: f16 = ", WGSL_SELECT, "", load_shader, store_wgsl, "vec3<f16>(%s, %s, %s)")
+
+const dialect *find_dialect(const char *language, int half) {
+    static const dialect *const full[] = { &dialect_c, &dialect_glsl, &dialect_hlsl, &dialect_wgsl, &dialect_metal };
+    static const dialect *const halves[] = { &dialect_glsl_half, &dialect_hlsl_half, &dialect_wgsl_half, &dialect_metal_half };
+    const dialect *const *list = half ? halves : full;
+    int i, count = half ? 4 : 5;
+    for (i = 0; i < count; i++)
+        if (!strcmp(list[i]->name, language)) return list[i];
+    return NULL;
+}
 
 /* ---- expressions and statements, common to all languages ---- */
 
@@ -149,53 +303,77 @@ typedef struct printer {
 } printer;
 
 /* Where an expression stands, and so which of its operators needs no parentheses. */
-typedef enum place { IN_PRODUCT, IN_SUM, ALONE } place;
+typedef enum place { IN_PRODUCT, IN_SUM, ARGUMENT, STATEMENT } place;
 
 static void expression(printer *p, node n, char *text, place where);
 
 static void constant_text(const printer *p, xreal value, char *text) {
     char digits[64];
     x_print(value, p->d->digits, digits);
-    snprintf(text, EXPRESSION_MAX, "%s%s%s", p->d->const_open, digits, p->d->const_close);
+    snprintf(text, OPERAND_MAX, "%s%s%s", p->d->const_open, digits, p->d->const_close);
+}
+
+static const char *function_name(const dialect *d, node_op op) {
+    switch (op) {
+    case OP_MIN: return d->min;
+    case OP_MAX: return d->max;
+    case OP_SQRT: return d->sqrt;
+    case OP_SIN: return d->sin;
+    case OP_COS: return d->cos;
+    default: return NULL;
+    }
 }
 
 static void operation_text(printer *p, const node_data *n, char *text, place where) {
     static const char symbol[] = { [OP_ADD] = '+', [OP_SUB] = '-', [OP_MUL] = '*', [OP_DIV] = '/' };
-    char a[EXPRESSION_MAX], b[EXPRESSION_MAX] = "";
-    const char *call = n->op == OP_MIN ? p->d->min : n->op == OP_MAX ? p->d->max : n->op == OP_SQRT ? p->d->sqrt : NULL;
-    int sum = n->op == OP_ADD || n->op == OP_SUB;
-    int bare = where == ALONE || (where == IN_SUM && !sum && n->op != OP_NEG);
-    place inner = call ? ALONE : sum ? IN_SUM : IN_PRODUCT;
-    expression(p, n->a, a, inner);
-    if (n->op != OP_NEG && n->op != OP_SQRT) expression(p, n->b, b, inner);
-    if (n->op == OP_SQRT)     snprintf(text, EXPRESSION_MAX, "%.40s(%.300s)", call, a);
-    else if (call)            snprintf(text, EXPRESSION_MAX, "%.40s(%.150s, %.150s)", call, a, b);
-    else if (n->op == OP_NEG) snprintf(text, EXPRESSION_MAX, bare ? "-%.300s" : "(-%.300s)", a);
-    else snprintf(text, EXPRESSION_MAX, bare ? "%.150s %c %.150s" : "(%.150s %c %.150s)", a, symbol[n->op], b);
+    char t[4][OPERAND_MAX];
+    const char *call = function_name(p->d, n->op);
+    int sum = n->op == OP_ADD || n->op == OP_SUB, select = n->op == OP_SELECT;
+    int bare = where == STATEMENT || where == ARGUMENT || (where == IN_SUM && !sum && n->op != OP_NEG && !select);
+    place inner = call ? ARGUMENT : sum ? IN_SUM : IN_PRODUCT;
+    node operand[4];
+    int i;
+    operand[0] = n->a; operand[1] = n->b; operand[2] = n->c; operand[3] = n->d;
+    for (i = 0; i < op_operands(n->op); i++) expression(p, operand[i], t[i], inner);
+    if (select) {
+        char inside[EXPRESSION_MAX - 2];
+        snprintf(inside, sizeof inside, p->d->select, t[0], t[1], t[2], t[3]);
+        snprintf(text, EXPRESSION_MAX, bare ? "%s" : "(%s)", inside);
+    }
+    else if (call && op_operands(n->op) == 1) snprintf(text, EXPRESSION_MAX, "%s(%s)", call, t[0]);
+    else if (call)            snprintf(text, EXPRESSION_MAX, "%s(%s, %s)", call, t[0], t[1]);
+    else if (n->op == OP_NEG) snprintf(text, EXPRESSION_MAX, bare ? "-%s" : "(-%s)", t[0]);
+    else snprintf(text, EXPRESSION_MAX, bare ? "%s %c %s" : "(%s %c %s)", t[0], symbol[n->op], t[1]);
 }
 
-/* The text of node n; a node that is used again, or whose text grows long, is first stored in a temporary. */
+/* The text of node n; a node that is used again, or whose text grows long, is first stored in a temporary. Except for a
+   statement, text holds OPERAND_MAX characters. */
 static void expression(printer *p, node n, char *text, place where) {
     const node_data *d = &p->k->nodes[n];
-    char whole[EXPRESSION_MAX];
-    if (p->temporary[n]) { snprintf(text, EXPRESSION_MAX, "t%d", p->temporary[n]); return; }
+    char whole[EXPRESSION_MAX], name[16];
+    if (p->temporary[n]) { snprintf(text, OPERAND_MAX, "t%d", p->temporary[n]); return; }
     if (d->op == OP_CONST) { constant_text(p, d->value, text); return; }
     if (d->op == OP_INPUT) {
-        p->d->load(whole, sizeof whole, &p->k->params[d->a], d->b);
-        if (d->b < 0 || d->uses == 1) { strcpy(text, whole); return; }
+        const param *from = &p->k->params[d->a];
+        p->d->load(whole, OPERAND_MAX, from, d->b);
+        if (from->kind != PARAM_INPUT || d->uses == 1) { strcpy(text, whole); return; }
     } else {
-        operation_text(p, d, whole, d->uses == 1 ? where : ALONE);
-        if (d->uses == 1 && (where == ALONE || strlen(whole) <= INLINE_MAX)) { strcpy(text, whole); return; }
-        if (d->uses == 1) operation_text(p, d, whole, ALONE);
+        operation_text(p, d, whole, d->uses == 1 ? where : STATEMENT);
+        if (d->uses == 1 && (where == STATEMENT || strlen(whole) <= INLINE_MAX)) { strcpy(text, whole); return; }
+        if (d->uses == 1) operation_text(p, d, whole, STATEMENT);
     }
     p->temporary[n] = ++p->temporary_count;
-    fprintf(p->to, "    %st%d = %s;\n", p->d->declare, p->temporary[n], whole);
-    snprintf(text, EXPRESSION_MAX, "t%d", p->temporary[n]);
+    snprintf(name, sizeof name, "t%d", p->temporary[n]);
+    fprintf(p->to, "    ");
+    fprintf(p->to, p->d->declare, name);
+    fprintf(p->to, "%s;\n", whole);
+    strcpy(text, name);
 }
 
-void print_kernel(FILE *to, const dialect *d, kernel *k, const char *prefix) {
+void print_kernel(FILE *to, const dialect *d, kernel *k, const char *name) {
     printer p;
-    int i;
+    char result[3][EXPRESSION_MAX];
+    int i, returned = 0;
     kernel_count_uses(k);
     p.to = to;
     p.d = d;
@@ -203,14 +381,26 @@ void print_kernel(FILE *to, const dialect *d, kernel *k, const char *prefix) {
     p.temporary_count = 0;
     p.temporary = (int *)calloc((size_t)k->node_count, sizeof *p.temporary);
     if (!p.temporary) { fprintf(stderr, "prt_codegen: out of memory\n"); exit(1); }
-    d->open(to, k, prefix);
+    print_summary(to, d, k);
+    d->open(to, k, name);
     for (i = 0; i < k->output_count; i++) {
         const output *o = &k->outputs[i];
+        const param *into = &k->params[o->param];
         char text[EXPRESSION_MAX];
-        expression(&p, o->value, text, ALONE);
-        d->store(to, &k->params[o->param], o->element, text, k->nodes[o->value].op == OP_CONST, i);
+        int returns = into->kind == PARAM_RESULT && d->returns && (into->count == 1 || d->result3);
+        expression(&p, o->value, text, returns && into->count == 3 ? ARGUMENT : STATEMENT);
+        if (returns) {
+            strcpy(result[o->element], text);
+            returned = into->count;
+        } else d->store(to, into, o->element, text, k->nodes[o->value].op == OP_CONST, i);
+    }
+    if (returned == 1) fprintf(to, "    return %s;\n", result[0]);
+    if (returned == 3) {
+        fprintf(to, "    return ");
+        fprintf(to, d->result3, result[0], result[1], result[2]);
+        fprintf(to, ";\n");
     }
     fprintf(to, "}\n\n");
-    if (d->close) d->close(to, k, prefix);
+    if (d->close) d->close(to, k, name);
     free(p.temporary);
 }

@@ -8,21 +8,28 @@
 
 typedef struct dialect {
     const char *name;                                  /* as after --lang */
-    const char *declare;                               /* a temporary: "const prt_real " */
-    const char *min, *max, *sqrt;                      /* function names */
+    const char *comment_open, *comment_close;
+    const char *declare;                               /* a temporary, with %s where its name stands */
+    const char *min, *max, *sqrt, *sin, *cos;          /* names of functions */
+    const char *select;                                /* a < b ? c : d, as printf's arguments a, b, c, d in this order */
     int digits;                                        /* significant digits of a constant */
     const char *const_open, *const_close;              /* around a constant */
-    void (*open)(FILE *to, const kernel *k, const char *prefix);     /* comment and signature, up to the opening brace */
+    void (*open)(FILE *to, const kernel *k, const char *name);       /* signature, up to the opening brace */
     void (*load)(char *text, size_t size, const param *p, int element);
     void (*store)(FILE *to, const param *p, int element, const char *value, int is_constant, int number);
-    void (*close)(FILE *to, const kernel *k, const char *prefix);    /* after the closing brace; NULL: nothing */
+    void (*close)(FILE *to, const kernel *k, const char *name);      /* after the closing brace; NULL: nothing */
+    int returns;                                       /* results are returned, not stored through a parameter */
+    const char *result3;                               /* a vector of three values; NULL: an array, stored */
 } dialect;
 
 /* The forms that stand in prt.h: scalars, one item a call; prt__vec, PRT__LANES items a call; and prt__vec over arrays of
    items, the stores in sweeps of at most eight rows: more rows whose distance is a multiple of 4096 bytes would evict
    each other from a first-level cache of 8 to 12 ways before their lines are full. */
-extern const dialect dialect_c, dialect_c_lanes, dialect_c_swept;
+extern const dialect dialect_header, dialect_header_lanes, dialect_header_swept;
 
-void print_kernel(FILE *to, const dialect *d, kernel *k, const char *prefix);
+/* The dialect of a language, c, glsl, hlsl, wgsl or metal, at full or half precision; NULL if there is none. */
+const dialect *find_dialect(const char *language, int half);
+
+void print_kernel(FILE *to, const dialect *d, kernel *k, const char *name);
 
 #endif

@@ -1,12 +1,20 @@
-/* prt_codegen - prints the straight-line kernels of prt.h, and keeps the fenced blocks of a file up to date.
+/* prt_codegen - prints the straight-line kernels of prt.h in C, GLSL, HLSL, WGSL and Metal, and keeps the fenced blocks of
+   prt.h up to date.
 
      prt_codegen --list                                  families, bands, operation counts
-     prt_codegen --lang c --emit sh_eval --bands 1-10    print kernels
-     prt_codegen --table roots --count 128               print a table of constants
+     prt_codegen --lang glsl --bands 4 --emit sh_eval,sh_irradiance -o prt.glsl
      prt_codegen --update prt.h                          rewrite every fenced block of the file
      prt_codegen --check  prt.h                          say whether --update would change it; exit 1 if so
 
-   A fence carries its own command:
+   --lang c|glsl|hlsl|wgsl|metal   [c]
+   --emit NAME,NAME...             kernels, as --list names them; "all" for all that have the bands asked for
+   --bands N | A-B                 [4]; functions of a range carry their number of bands in their names
+   --precision full|half           [full] half: mediump, min16float, f16, half
+   --prefix NAME                   before the names of functions [prt_]
+   -o FILE                         [standard output]
+   --table NAME --count N          a table of constants instead (of prt.h alone)
+
+   A fence of prt.h carries its own command, whose kernels are printed in the forms that the header uses:
      / * BEGIN GENERATED: prt_codegen --lang c --emit sh_eval --bands 1-10 * /
      ...
      / * END GENERATED * /                                                                                        */
@@ -22,12 +30,25 @@ static const family families[] = {
     { "sh_at", 1, 10, FORM_ONE, describe_sh_at },
     { "ch_eval", 1, 10, FORM_ONE | FORM_SWEPT, describe_ch_eval },
     { "ch_at", 1, 10, FORM_ONE, describe_ch_at },
+    { "sh_delta", 1, 10, 0, describe_sh_delta },
+    { "sh_cone", 1, 10, 0, describe_sh_cone },
+    { "sh_sphere", 1, 10, 0, describe_sh_sphere },
+    { "sh_cosine_lobe", 1, 10, 0, describe_sh_cosine_lobe },
+    { "sh_hemisphere", 1, 10, 0, describe_sh_hemisphere },
+    { "sh_convolve", 1, 10, 0, describe_sh_convolve },
+    { "sh_irradiance", 1, 10, 0, describe_sh_irradiance },
+    { "sh_window_hann", 1, 10, 0, describe_sh_window_hann },
+    { "sh_window_lanczos", 1, 10, 0, describe_sh_window_lanczos },
+    { "sh_window_positive", 1, 10, 0, describe_sh_window_positive },
+    { "sh_dot", 1, 10, 0, describe_sh_dot },
+    { "shade_diffuse", 1, 10, 0, describe_shade_diffuse },
 };
 enum { FAMILY_COUNT = (int)(sizeof families / sizeof families[0]) };
 
 typedef struct request {
-    const char *lang;
-    char emit[256];                                    /* names, separated by commas */
+    const char *lang, *prefix, *path;
+    int half;                                          /* precision */
+    char emit[1024];                                   /* names, separated by commas */
     const char *table;                                 /* name of a table instead */
     int count;                                         /* its entries */
     int first_bands, last_bands;
@@ -47,11 +68,14 @@ static const family *find_family(const char *name) {
 
 /* ---- printing what a request asks for ---- */
 
-static void print_forms(FILE *to, const family *f, int bands) {
+/* The forms that prt.h uses */
+static void print_header_forms(FILE *to, const family *f, int bands) {
     kernel *k = f->describe(bands);
-    if (f->forms & FORM_ONE) print_kernel(to, &dialect_c, k, "prt__");
-    if (f->forms & FORM_LANES) print_kernel(to, &dialect_c_lanes, k, "prt__");
-    if (f->forms & FORM_SWEPT) print_kernel(to, &dialect_c_swept, k, "prt__");
+    char name[96];
+    snprintf(name, sizeof name, "prt__%s", k->name);
+    if (f->forms & FORM_ONE) print_kernel(to, &dialect_header, k, name);
+    if (f->forms & FORM_LANES) print_kernel(to, &dialect_header_lanes, k, name);
+    if (f->forms & FORM_SWEPT) print_kernel(to, &dialect_header_swept, k, name);
     kernel_free(k);
 }
 
@@ -99,23 +123,90 @@ static int print_table(FILE *to, const request *r) {
     return 0;
 }
 
-static int print_request(FILE *to, const request *r) {
-    char names[256], *name;
+static int check_bands(const family *f, int first, int last) {
+    char range[96];
+    if (first >= f->min_bands && last <= f->max_bands && first <= last) return 0;
+    snprintf(range, sizeof range, "%s at %d to %d bands", f->name, first, last);
+    return fail("no such kernel", range, "prt_codegen --list names the bands");
+}
+
+/* The kernels of a fence, in the forms of prt.h */
+static int print_fence(FILE *to, const request *r) {
+    char names[sizeof r->emit], *name;
     if (r->table) return print_table(to, r);
-    if (strcmp(r->lang, "c")) return fail("unknown language", r->lang, "use c");
     snprintf(names, sizeof names, "%s", r->emit);
     for (name = strtok(names, ","); name; name = strtok(NULL, ",")) {
         const family *f = find_family(name);
         int bands, first = r->first_bands, last = r->last_bands;
-        char range[64];
         if (!f) return fail("unknown kernel", name, "prt_codegen --list names them");
+        if (!f->forms) return fail("no form for prt.h", name, "print it in a language");
         if (!first) { first = f->min_bands; last = f->max_bands; }
-        snprintf(range, sizeof range, "%s at %d to %d bands", name, first, last);
-        if (first < f->min_bands || last > f->max_bands || first > last)
-            return fail("no such kernel", range, "prt_codegen --list names the bands");
-        for (bands = first; bands <= last; bands++) print_forms(to, f, bands);
+        if (check_bands(f, first, last)) return 1;
+        for (bands = first; bands <= last; bands++) print_header_forms(to, f, bands);
     }
     return 0;
+}
+
+/* One function, named as in prt.h; with its bands where there are several */
+static void print_function(FILE *to, const dialect *d, const request *r, const family *f, int bands) {
+    kernel *k = f->describe(bands);
+    char name[160];
+    if (r->first_bands == r->last_bands) snprintf(name, sizeof name, "%s%s", r->prefix, f->name);
+    else snprintf(name, sizeof name, "%s%s_%d", r->prefix, f->name, bands);
+    print_kernel(to, d, k, name);
+    kernel_free(k);
+}
+
+static void print_preamble(FILE *to, const dialect *d, const request *r) {
+    fprintf(to, "%sprt.h: precomputed radiance transfer - MIT or Unlicense, your choice%s\n", d->comment_open, d->comment_close);
+    fprintf(to, "%sGenerated by: prt_codegen --lang %s --bands %d", d->comment_open, r->lang, r->first_bands);
+    if (r->last_bands != r->first_bands) fprintf(to, "-%d", r->last_bands);
+    fprintf(to, " --emit %s%s%s", r->emit, r->half ? " --precision half" : "", d->comment_close);
+    fprintf(to, "\n%sReal SH, orthonormal, no Condon-Shortley phase, +z polar; coefficient (l,m) at l(l+1)+m; see prt.h.%s\n",
+            d->comment_open, d->comment_close);
+    if (!strcmp(r->lang, "c")) fprintf(to, "#include <math.h>\n");
+    if (!strcmp(r->lang, "wgsl") && r->half) fprintf(to, "enable f16;\n");
+    if (!strcmp(r->lang, "metal")) fprintf(to, "#include <metal_stdlib>\nusing namespace metal;\n");
+    fprintf(to, "\n");
+}
+
+static int print_language(FILE *to, const request *r) {
+    const dialect *d = find_dialect(r->lang, r->half);
+    char names[sizeof r->emit], *name;
+    int bands, i;
+    if (!d) return fail("unknown language", r->lang, r->half ? "half precision: glsl, hlsl, wgsl or metal" : "use c, glsl, hlsl, wgsl or metal");
+    print_preamble(to, d, r);
+    if (!strcmp(r->emit, "all")) {
+        for (i = 0; i < FAMILY_COUNT; i++)
+            if (r->first_bands >= families[i].min_bands && r->last_bands <= families[i].max_bands)
+                for (bands = r->first_bands; bands <= r->last_bands; bands++) print_function(to, d, r, &families[i], bands);
+        return 0;
+    }
+    snprintf(names, sizeof names, "%s", r->emit);
+    for (name = strtok(names, ","); name; name = strtok(NULL, ",")) {
+        const family *f = find_family(name);
+        if (!f) return fail("unknown kernel", name, "prt_codegen --list names them");
+        if (check_bands(f, r->first_bands, r->last_bands)) return 1;
+        for (bands = r->first_bands; bands <= r->last_bands; bands++) print_function(to, d, r, f, bands);
+    }
+    return 0;
+}
+
+/* To r->path by way of a temporary, so that a failure leaves the old file whole */
+static int print_request(const request *r) {
+    char temporary[1024];
+    FILE *to;
+    int bad;
+    if (r->table) return print_table(stdout, r);
+    if (!r->path) return print_language(stdout, r);
+    snprintf(temporary, sizeof temporary, "%s.new", r->path);
+    to = fopen(temporary, "wb");
+    if (!to) return fail("cannot write", temporary, "check that the folder exists and may be written");
+    bad = print_language(to, r);
+    if (fclose(to) && !bad) bad = fail("cannot write", temporary, "is the disk full?");
+    if (!bad && rename(temporary, r->path)) bad = fail("cannot write", r->path, "the old file is untouched");
+    if (bad) remove(temporary);
+    return bad;
 }
 
 static int print_list(void) {
@@ -140,11 +231,21 @@ static int parse_request(request *r, int count, char **words) {
     int i;
     memset(r, 0, sizeof *r);
     r->lang = "c";
+    r->prefix = "prt_";
     for (i = 0; i < count; i++) {
         const char *value = i + 1 < count ? words[i + 1] : NULL;
         if (!value) return fail("no value after", words[i], "see the head of prt_codegen.c");
         if (!strcmp(words[i], "--lang")) r->lang = value;
-        else if (!strcmp(words[i], "--emit")) snprintf(r->emit, sizeof r->emit, "%s", value);
+        else if (!strcmp(words[i], "--prefix")) r->prefix = value;
+        else if (!strcmp(words[i], "-o")) r->path = value;
+        else if (!strcmp(words[i], "--precision")) {
+            r->half = !strcmp(value, "half");
+            if (!r->half && strcmp(value, "full")) return fail("unknown precision", value, "use full or half");
+        }
+        else if (!strcmp(words[i], "--emit")) {
+            if (strlen(value) >= sizeof r->emit) return fail("too many names", "--emit", "ask for fewer kernels at a time");
+            strcpy(r->emit, value);
+        }
         else if (!strcmp(words[i], "--table")) r->table = value;
         else if (!strcmp(words[i], "--count")) r->count = (int)strtol(value, NULL, 10);
         else if (!strcmp(words[i], "--bands")) {
@@ -199,7 +300,7 @@ static int regenerate(FILE *to, const char *text) {
         request r;
         if (!body || !end) return fail("a fence without its end", "BEGIN GENERATED", "close it with END GENERATED");
         fwrite(text, 1, (size_t)(body + 1 - text), to);
-        if (parse_fence(&r, begin, (size_t)(body - begin), copy, sizeof copy) || print_request(to, &r)) return 1;
+        if (parse_fence(&r, begin, (size_t)(body - begin), copy, sizeof copy) || print_fence(to, &r)) return 1;
         text = end;
     }
     fputs(text, to);
@@ -239,5 +340,6 @@ int main(int argc, char **argv) {
     if (argc == 3 && !strcmp(argv[1], "--update")) return update_file(argv[2], 0);
     if (argc == 3 && !strcmp(argv[1], "--check")) return update_file(argv[2], 1);
     if (parse_request(&r, argc - 1, argv + 1)) return 1;
-    return print_request(stdout, &r);
+    if (!r.first_bands) r.first_bands = r.last_bands = 4;
+    return print_request(&r);
 }

@@ -23,7 +23,7 @@ void x_print(xreal v, int digits, char *text) {
     char digit[48] = { 0 };
     int exponent = 0, i, last;
     xreal scale = 1, rest;
-    if (v == 0) { strcpy(text, "0"); return; }
+    if (v == 0) { strcpy(text, "0.0"); return; }
     if (v < 0) { *text++ = '-'; v = -v; }
     while (v / scale >= 10) { scale *= 10; exponent++; }
     while (v / scale < 1)   { scale /= 10; exponent--; }

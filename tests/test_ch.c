@@ -213,9 +213,10 @@ static void agrees_with_golden_table_to_14_bands(void **state) {
     assert_int_equal(rows, 40 * 196);
 }
 
+/* At directions that stand exactly as prt_real has them, save for their length, which rounding leaves EPS off 1. */
 static void agrees_with_the_definition(void **state) {
     static const struct { int bands; double error_float, error_double; } promised[] = {
-        { 6, 3e-7, 9e-16 }, { 10, 1e-6, 3e-15 }, { 14, 2.5e-6, 6e-15 }, { 33, 1.2e-5, 3e-14 }, { 64, 9e-5, 2e-13 }
+        { 6, 6e-7, 1.6e-15 }, { 10, 2.2e-6, 5e-15 }, { 14, 4.5e-6, 8e-15 }, { 33, 2.2e-5, 4.5e-14 }, { 64, 1e-4, 2e-13 }
     };
     enum { COUNT = 40 };
     static double want[COUNT * MAX_N];
@@ -238,7 +239,7 @@ static void agrees_with_the_definition(void **state) {
         for (k = 0; k < COUNT; k++) {
             assert_int_equal(prt_ch_eval(bands, dirs[k], c), PRT_OK);
             for (i = 0; i < n; i++) {
-                double error = fabs((double)c[i] - want[k * n + i]) - golden_input_rounding((int)sqrt((double)i), EPS);
+                double error = fabs((double)c[i] - want[k * n + i]);
                 if (!(error <= worst)) worst = error;
             }
         }
