@@ -49,6 +49,14 @@ libraries_for_32_bit() {
     rm -rf "$work"
 }
 
+# naga, which checks WGSL, is a package of npm, of one version; the WGSL tests are skipped without it.
+naga() {
+    wanted test && [ ! -e "$cache/npm/node_modules/naga-wasm" ] && cmd npm || return 0
+    echo "deps.sh: installing naga-wasm into .cache/npm"
+    mkdir -p "$cache/npm" && npm install --silent --no-save --prefix "$cache/npm" naga-wasm@30.1.0 >/dev/null 2>&1 ||
+        echo "deps.sh: naga-wasm is not to be had; the WGSL tests will be skipped" >&2
+}
+
 every="demo test bench fuzz"
 need "$every"     gcc                      cmd cc
 need "$every"     g++                      cmd c++
@@ -78,9 +86,14 @@ need "bench"      python3                  cmd python3
 want "test bench" valgrind                 hdr valgrind/callgrind.h
 want "bench"      gnuplot-nox              cmd gnuplot
 
+want "test"       glslang-tools            cmd glslangValidator
+want "test"       spirv-tools              cmd spirv-val
+want "test"       spirv-cross              cmd spirv-cross
+want "test"       npm                      cmd npm
+
 read -ra packages <<<"$(printf '%s\n' "${missing[@]}" "${optional[@]}" | sort -u | tr '\n' ' ')"
 if [ $list = 1 ]; then printf '%s\n' "${packages[@]}"; exit 0; fi
-if [ ${#packages[@]} = 0 ]; then libraries_for_32_bit; exit 0; fi
+if [ ${#packages[@]} = 0 ]; then libraries_for_32_bit; naga; exit 0; fi
 
 root=()
 if [ "$(id -u)" != 0 ]; then root=(sudo -n); fi
@@ -89,7 +102,7 @@ if cmd apt-get && { [ "$(id -u)" = 0 ] || sudo -n true 2>/dev/null; }; then
     export DEBIAN_FRONTEND=noninteractive
     install=("${root[@]}" apt-get install -y --no-install-recommends "${packages[@]}")
     "${install[@]}" >/dev/null 2>&1 || { "${root[@]}" apt-get update >/dev/null && "${install[@]}" >/dev/null; } &&
-        { libraries_for_32_bit; exit 0; }
+        { libraries_for_32_bit; naga; exit 0; }
     echo "deps.sh: apt-get could not install: ${packages[*]}" >&2
 else
     echo "deps.sh: please install (Debian's names): ${packages[*]}" >&2

@@ -1,5 +1,5 @@
 /* The families of kernels: one description each, in kernel_<room>.c. To add one: write its describe function, declare it
-   here, and give it a line in the table of prt_codegen.c. */
+   here, and give it a line in families.c. */
 #ifndef PRT_CODEGEN_KERNELS_H
 #define PRT_CODEGEN_KERNELS_H
 
@@ -13,6 +13,9 @@ typedef struct family {
     unsigned forms;
     kernel *(*describe)(int bands);
 } family;
+
+extern const family families[];
+extern const int family_count;
 
 /* A basis p(l,m) {Re,Im}(x+iy)^m with p(m,m) as in SH and p(l,m) = a(l,m) z p(l-1,m) - c(l,m) p(l-2,m) above. */
 typedef xreal factor(int l, int m);

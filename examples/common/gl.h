@@ -21,17 +21,21 @@
     X(DELETERENDERBUFFERS, DeleteRenderbuffers) X(DELETESHADER, DeleteShader) \
     X(DELETETEXTURES, DeleteTextures)           X(DELETEVERTEXARRAYS, DeleteVertexArrays) \
     X(DEPTHFUNC, DepthFunc)                     X(DISABLE, Disable) \
+    X(DISPATCHCOMPUTE, DispatchCompute) \
     X(DRAWARRAYS, DrawArrays)                   X(ENABLE, Enable) \
     X(FINISH, Finish)                           X(GETERROR, GetError) \
     X(GETINTEGER64V, GetInteger64v)             X(GETINTEGERV, GetIntegerv) \
+    X(GETNAMEDBUFFERSUBDATA, GetNamedBufferSubData) \
     X(GETPROGRAMINFOLOG, GetProgramInfoLog)     X(GETPROGRAMIV, GetProgramiv) \
     X(GETSHADERINFOLOG, GetShaderInfoLog)       X(GETSHADERIV, GetShaderiv) \
     X(GETUNIFORMLOCATION, GetUniformLocation) \
-    X(LINKPROGRAM, LinkProgram)                 X(NAMEDBUFFERDATA, NamedBufferData) \
+    X(LINKPROGRAM, LinkProgram)                 X(MEMORYBARRIER, MemoryBarrier) \
+    X(NAMEDBUFFERDATA, NamedBufferData) \
     X(NAMEDBUFFERSUBDATA, NamedBufferSubData) \
     X(NAMEDFRAMEBUFFERRENDERBUFFER, NamedFramebufferRenderbuffer) \
     X(NAMEDRENDERBUFFERSTORAGE, NamedRenderbufferStorage) \
     X(READPIXELS, ReadPixels)                   X(SHADERSOURCE, ShaderSource) \
+    X(TEXTUREBUFFER, TextureBuffer) \
     X(TEXTUREPARAMETERI, TextureParameteri)     X(TEXTURESTORAGE2D, TextureStorage2D) \
     X(TEXTURESUBIMAGE2D, TextureSubImage2D)     X(UNIFORM3FV, Uniform3fv) \
     X(UNIFORMMATRIX4FV, UniformMatrix4fv)       X(USEPROGRAM, UseProgram) \

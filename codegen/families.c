@@ -1,0 +1,22 @@
+/* All families of kernels. */
+#include "kernels.h"
+
+const family families[] = {
+    { "sh_eval", 1, 10, FORM_ONE | FORM_SWEPT, describe_sh_eval },
+    { "sh_at", 1, 10, FORM_ONE, describe_sh_at },
+    { "ch_eval", 1, 10, FORM_ONE | FORM_SWEPT, describe_ch_eval },
+    { "ch_at", 1, 10, FORM_ONE, describe_ch_at },
+    { "sh_delta", 1, 10, 0, describe_sh_delta },
+    { "sh_cone", 1, 10, 0, describe_sh_cone },
+    { "sh_sphere", 1, 10, 0, describe_sh_sphere },
+    { "sh_cosine_lobe", 1, 10, 0, describe_sh_cosine_lobe },
+    { "sh_hemisphere", 1, 10, 0, describe_sh_hemisphere },
+    { "sh_convolve", 1, 10, 0, describe_sh_convolve },
+    { "sh_irradiance", 1, 10, 0, describe_sh_irradiance },
+    { "sh_window_hann", 1, 10, 0, describe_sh_window_hann },
+    { "sh_window_lanczos", 1, 10, 0, describe_sh_window_lanczos },
+    { "sh_window_positive", 1, 10, 0, describe_sh_window_positive },
+    { "sh_dot", 1, 10, 0, describe_sh_dot },
+    { "shade_diffuse", 1, 10, 0, describe_shade_diffuse },
+};
+const int family_count = (int)(sizeof families / sizeof families[0]);
