@@ -73,7 +73,8 @@ static void sobol_is_a_net(void **state) {
         for (split = 0; split <= m; split++) {
             unsigned char seen[1 << 10] = { 0 };
             for (k = 0; k < 1 << m; k++) {
-                int box = ((int)((double)u[k] * (1 << split)) << (m - split)) + (int)((double)v[k] * (1 << (m - split)));
+                int row = (int)((double)u[k] * (1 << split)), column = (int)((double)v[k] * (1 << (m - split)));
+                int box = (row << (m - split)) + column;
                 assert_int_equal(seen[box], 0);
                 seen[box] = 1;
             }
@@ -160,7 +161,8 @@ static void bad_arguments(void **state) {
     int k;
     (void)state;
     for (k = 0; k < 6; k++) {
-        assert_int_equal(prt_sample_square(PRT_SAMPLE_SOBOL, bad[k][0], 0, 0, bad[k][1], bad[k][2], u, v), PRT_ERR_COUNT);
+        assert_int_equal(prt_sample_square(PRT_SAMPLE_SOBOL, bad[k][0], 0, 0, bad[k][1], bad[k][2], u, v),
+                         PRT_ERR_COUNT);
         assert_int_equal(prt_sample_directions(bad[k][0], 0, 0, up, bad[k][1], bad[k][2], dirs), PRT_ERR_COUNT);
     }
     assert_int_equal(prt_sample_square(PRT_SAMPLE_SOBOL, 1, 0, 0, 0, 1, NULL, v), PRT_ERR_NULL);
