@@ -439,7 +439,13 @@ static void seeds_differ(void **state) {
 
 /* ---- what the tracer receives ---- */
 
-typedef struct watch { const prt_point *points; int samples, batches, short_batches; double bias; long rays; } watch;
+typedef struct watch {
+    const prt_point *points;
+    int samples, batches, short_batches;
+    double bias;
+    long rays;
+    prt_vec3 dirs[1024];               /* of the point that the last ray belonged to */
+} watch;
 
 static int watching(void *user, int count, const prt_ray *rays, unsigned char *blocked) {
     watch *w = (watch *)user;
@@ -448,7 +454,12 @@ static int watching(void *user, int count, const prt_ray *rays, unsigned char *b
     assert_int_equal(w->short_batches, 0);             /* only the last may be short */
     w->short_batches += count <= PRT_BAKE_BATCH - 64;
     for (k = 0; k < count; k++) {
-        const prt_point *p = &w->points[(w->rays + k) / w->samples];
+        int index = (int)((w->rays + k) / w->samples), member = (int)((w->rays + k) % w->samples);
+        const prt_point *p = &w->points[index];
+        if (member == 0) prt_sample_directions(w->samples, 21, (uint64_t)index, p->normal, 0, w->samples, w->dirs);
+#ifndef __FAST_MATH__                  /* which may round differently where a function is inlined twice */
+        assert_memory_equal(&rays[k].dir, &w->dirs[member], sizeof rays[k].dir);
+#endif
         assert_near(dot(rays[k].dir, rays[k].dir), 1, 12 * PRT__EPS);
         assert_true(dot(rays[k].dir, p->normal) >= 0);
         assert_true(rays[k].tmin == 0);
@@ -479,6 +490,7 @@ static void rays_keep_the_contract(void **state) {
         memset(&desc, 0, sizeof desc); memset(&tracer, 0, sizeof tracer); memset(&w, 0, sizeof w);
         tracer.user = &w; tracer.occluded = watching;
         desc.tracer = &tracer;
+        desc.seed = 21;
         desc.bias = (prt_real)bias[k][0]; desc.scene_radius = (prt_real)bias[k][1];
         desc.samples = k == 0 ? 0 : k == 1 ? 1 : k == 2 ? 600 : 77;
         w.points = points; w.bias = bias[k][2]; w.samples = desc.samples ? desc.samples : 1024;
@@ -524,6 +536,7 @@ static void only_the_range_is_read_and_written(void **state) {
     ball b;
     int k;
     (void)state;
+    skip_if_fast_math();
     begin(&desc, &tracer, &b);
     desc.samples = 100;
     scatter(MANY, points);
@@ -601,6 +614,7 @@ static void every_error_in_its_order(void **state) {
     ball b;
     int k;
     (void)state;
+    skip_if_fast_math();
     begin(&ok, &tracer, &b);
     ok.samples = 10;
     desc = ok;
@@ -646,6 +660,11 @@ static void every_error_in_its_order(void **state) {
         assert_int_equal(prt_bake_transfer(&ok, MANY, points, 0, MANY, transfer), k ? PRT_ERR_VALUE : PRT_OK);
         if (!k) canaries(transfer);
     }
+    desc = ok;
+    desc.bias = PRT__REAL_MAX;         /* finite, but the rays would start at infinity */
+    memcpy(points, good, sizeof points);
+    points[4].position = vec3((double)PRT__REAL_MAX, 0, 0); points[4].normal = vec3(1, 0, 0);
+    assert_int_equal(prt_bake_transfer(&desc, MANY, points, 4, 1, transfer), PRT_ERR_VALUE);
     assert_only_rows(transfer, transfer, 0, 0);
     assert_int_equal(prt_bake_transfer(&ok, 0, NULL, 0, 0, NULL), PRT_OK);
     assert_int_equal(prt_bake_transfer(&ok, MANY, NULL, MANY, 0, NULL), PRT_OK);
