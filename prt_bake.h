@@ -679,22 +679,25 @@ typedef struct prt__bake {
 
 typedef struct prt__cursor { int point, sample; } prt__cursor; /* a place in the stream of rays */
 
+enum { PRT__LINE = 64 };               /* bytes of a cache line */
+
 /* Directions evaluated at a time: fewer where many bands would make the buffer large. */
 PRT__STATIC int prt__bake_width(int bands) {
     int width = PRT__BLOCK;
-    while (width * (int)sizeof(prt_real) > 64 && PRT_SH_COUNT(bands) * width > 16384) width /= 2;
+    while (width * (int)sizeof(prt_real) > PRT__LINE && PRT_SH_COUNT(bands) > 16384 / width) width /= 2;
     return width;
 }
 
-/* The next piece of memory, on a cache line of its own: a vector that crosses two costs twice. */
-enum { PRT__LINE = 64 };
+/* The next piece of memory, on a cache line of its own: a vector that crosses two costs twice. Once a size does not
+   fit, *used is SIZE_MAX and stays so. */
 PRT__INLINE void *prt__carve(unsigned char *memory, size_t *used, size_t count, size_t size) {
-    void *piece = memory ? memory + *used : 0;
+    size_t room = SIZE_MAX - *used, at = *used;
+    if (room < PRT__LINE || count > (room - PRT__LINE) / size) { *used = SIZE_MAX; return 0; }
     *used += (count * size + PRT__LINE - 1) / PRT__LINE * PRT__LINE;
-    return piece;
+    return memory ? memory + at : 0;
 }
 
-/* Lays the buffers out in memory, or only measures them where memory is NULL. */
+/* Lays the buffers out in memory, or only measures them where memory is NULL; SIZE_MAX: more than a size_t counts. */
 PRT__STATIC size_t prt__bake_layout(prt__bake *b, unsigned char *memory) {
     size_t used = PRT__LINE, n = (size_t)b->coefficients, batch = PRT_BAKE_BATCH;
     if (memory) used -= (size_t)((uintptr_t)memory % PRT__LINE);
@@ -702,8 +705,8 @@ PRT__STATIC size_t prt__bake_layout(prt__bake *b, unsigned char *memory) {
     b->x = (prt_real *)prt__carve(memory, &used, batch + PRT__BLOCK, sizeof *b->x);
     b->y = (prt_real *)prt__carve(memory, &used, batch + PRT__BLOCK, sizeof *b->y);
     b->z = (prt_real *)prt__carve(memory, &used, batch + PRT__BLOCK, sizeof *b->z);
-    b->basis = (prt_real *)prt__carve(memory, &used, n * (size_t)b->width, sizeof *b->basis);
-    b->running = (prt_real *)prt__carve(memory, &used, n * PRT__LANES, sizeof *b->running);
+    b->basis = (prt_real *)prt__carve(memory, &used, n, (size_t)b->width * sizeof *b->basis);
+    b->running = (prt_real *)prt__carve(memory, &used, n, PRT__LANES * sizeof *b->running);
     b->sum = (double *)prt__carve(memory, &used, n, sizeof *b->sum);
     b->blocked = (unsigned char *)prt__carve(memory, &used, batch + PRT__BLOCK, 1);
     return used;
@@ -724,11 +727,13 @@ PRTDEF size_t prt_bake_transfer_size(int bands, int point_count) {
 
 PRTDEF size_t prt_bake_scratch_size(int bands) {
     prt__bake b;
+    size_t size;
     if (bands == 0) bands = PRT__DEFAULT_BANDS;
     if (!prt__bands_ok(bands)) return 0;
     memset(&b, 0, sizeof b);
     prt__bake_shape(&b, bands);
-    return prt__bake_layout(&b, 0);
+    size = prt__bake_layout(&b, 0);
+    return size < SIZE_MAX ? size : 0;
 }
 
 /* Where a point's rays start. */
@@ -869,6 +874,7 @@ PRT__STATIC prt_result prt__bake_open(prt__bake *b, const prt_bake_desc *desc, i
     if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
     if (desc->samples < 0 || !prt__range_ok(point_count, first, count)) return PRT_ERR_COUNT;
     if (count > 0 && !prt_bake_transfer_size(bands, point_count)) return PRT_ERR_CAPACITY;
+    if (!prt_bake_scratch_size(bands)) return PRT_ERR_CAPACITY;
     if (count > 0 && (!points || !transfer)) return PRT_ERR_NULL;
     if (desc->tracer && !desc->tracer->occluded) return PRT_ERR_NULL;
     if (!(desc->bias >= 0 && prt__finite(desc->bias))) return PRT_ERR_VALUE;
@@ -894,7 +900,7 @@ PRTDEF prt_result prt_bake_transfer(const prt_bake_desc *desc, int point_count, 
     size_t size;
     void *memory;
     if (r != PRT_OK || count == 0) return r;
-    size = prt__bake_layout(&b, 0);
+    size = prt_bake_scratch_size(b.bands);
     memory = PRT_MALLOC(size);
     if (!memory) return PRT_ERR_MEMORY;
     memset(memory, 0, size);
