@@ -16,7 +16,7 @@ stats csv using (column("rays") == 2500 ? column("jittered_sphere") : 1/0) noout
 level = STATS_mean
 set arrow 1 from 55, level to 2500, level nohead dashtype 2 lc rgb "#888888"
 set arrow 2 from 600, graph 0 to 600, graph 1 nohead dashtype 3 lc rgb "#888888"
-set label 1 sprintf("Chapter's 2500 samples: %.4f", level) at 60, level*0.8 left textcolor rgb "#555555"
+set label 1 sprintf("Chapter's 2500 samples: %.4f", level) at 60, level*0.55 left textcolor rgb "#555555"
 plot csv using "rays":"random_cosine" with linespoints lw 1.5 pt 2 ps 0.6 lc rgb "#999999" \
      title "independent, cosine", \
      csv using "rays":"jittered_sphere" with linespoints lw 2.0 pt 7 ps 0.6 lc rgb "#d1495b" \
