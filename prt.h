@@ -1247,8 +1247,8 @@ PRT__STATIC void prt__gather_start(prt__gather *g, int bands, int first) {
             a[l] = prt__root(2 * l + 1) * prt__root(2 * l - 1) * prt__inverse_root(l - m) * prt__inverse_root(l + m);
             b[l] = l > m + 1 ? a[l] / a[l - 1] : 0;
         }
+        memset(g->sum[m - first], 0, (size_t)bands * sizeof g->sum[0][0]);
     }
-    memset(g->sum, 0, sizeof g->sum);
 }
 
 PRT__STATIC void prt__gather_write(const prt__gather *g, prt_real *light) {
@@ -1272,6 +1272,7 @@ PRT__STATIC int prt__gather_finite(const prt__gather *g) {
    images of a texel share one evaluation. Class bits 0, 1, 2: odd in x, y, z. A block is a run of texels along a row, with
    value[class][r, g, b] = weight times sum over the images of sign times texel. */
 typedef struct prt__octant {
+    int lanes;                                                         /* texels, rounded up to whole vectors */
     double x[PRT__TEXELS], y[PRT__TEXELS], z[PRT__TEXELS], value[8][3][PRT__TEXELS];
 } prt__octant;
 
@@ -1283,10 +1284,10 @@ typedef struct prt__images {
 
 static const float prt__no_texel[3] = { 0, 0, 0 };
 
-/* Texels from ... from+count-1 of the row into value[image], the rest of the block 0. */
+/* Texels from ... from+count-1 of the row into value[image]. */
 PRT__STATIC void prt__load_images(const prt__images *images, int from, int count, prt__octant *block) {
     int i, k;
-    if (count < PRT__TEXELS) memset(block->value, 0, sizeof block->value);
+    block->lanes = (count + PRT__WIDE_LANES - 1) / PRT__WIDE_LANES * PRT__WIDE_LANES;
     for (k = 0; k < 8; k++) {
         const float *texel = images->texel[k] + from * images->step[k];
         double (*value)[PRT__TEXELS] = block->value[k];
@@ -1295,6 +1296,7 @@ PRT__STATIC void prt__load_images(const prt__images *images, int from, int count
             value[1][i] = (double)texel[1];
             value[2][i] = (double)texel[2];
         }
+        for (; i < block->lanes; i++) value[0][i] = value[1][i] = value[2][i] = 0;
     }
 }
 
@@ -1302,7 +1304,7 @@ PRT__STATIC void prt__load_images(const prt__images *images, int from, int count
 PRT__STATIC void prt__fold_images(const double *weight, prt__octant *block) {
     int i, c, k, bit;
     for (c = 0; c < 3; c++)
-        for (i = 0; i < PRT__TEXELS; i += PRT__WIDE_LANES) {
+        for (i = 0; i < block->lanes; i += PRT__WIDE_LANES) {
             prt__wide v[8], w = prt__wide_load(weight + i);
             for (k = 0; k < 8; k++) v[k] = prt__wide_load(block->value[k][c] + i);
             for (bit = 1; bit < 8; bit *= 2)
@@ -1361,7 +1363,7 @@ PRT__STATIC void prt__sum_columns(const prt__gather *g, const prt__octant *block
         int even = m & 1, odd = 3 - even;                              /* classes of cos m phi and sin m phi */
         prt__wide acc[2][6];
         memset(acc, 0, sizeof acc);
-        for (i = 0; i < PRT__TEXELS; i += PRT__WIDE_LANES) {
+        for (i = 0; i < block->lanes; i += PRT__WIDE_LANES) {
             prt__wide c = prt__wide_load(re + i), s = prt__wide_load(im + i);
             prt__wide x = prt__wide_load(block->x + i), y = prt__wide_load(block->y + i);
             for (k = 0; k < 3; k++) {
@@ -1472,19 +1474,19 @@ PRT__STATIC void prt__gather_order(prt__gather *g, int m, const prt__octant *blo
     double value[2][6][PRT__TEXELS], p[PRT__TEXELS], p1[PRT__TEXELS];
     int row = m - g->first, even = m & 1, odd = 3 - even, i, k, l;     /* classes of cos m phi and sin m phi */
     for (k = 0; k < 3; k++)
-        for (i = 0; i < PRT__TEXELS; i++) {
+        for (i = 0; i < block->lanes; i++) {
             value[0][k][i] = re[i] * block->value[even][k][i];
             value[0][3 + k][i] = im[i] * block->value[odd][k][i];
             value[1][k][i] = re[i] * block->value[even + 4][k][i];
             value[1][3 + k][i] = im[i] * block->value[odd + 4][k][i];
         }
-    for (i = 0; i < PRT__TEXELS; i++) { p[i] = g->sector[row]; p1[i] = 0; }
+    for (i = 0; i < block->lanes; i++) { p[i] = g->sector[row]; p1[i] = 0; }
     for (l = m; l < g->bands; l++) {
         double (*part)[PRT__TEXELS] = value[(l - m) & 1];
         double a = l + 1 < g->bands ? g->a[row][l + 1] : 0, b = l + 1 < g->bands ? g->b[row][l + 1] : 0;
         prt__wide acc[6];
         memset(acc, 0, sizeof acc);
-        for (i = 0; i < PRT__TEXELS; i += PRT__WIDE_LANES) {
+        for (i = 0; i < block->lanes; i += PRT__WIDE_LANES) {
             prt__wide q = prt__wide_load(p + i);
             for (k = 0; k < 6; k++) acc[k] += q * prt__wide_load(part[k] + i);
             prt__wide_store(p + i, a * prt__wide_load(block->z + i) * q - b * prt__wide_load(p1 + i));
@@ -1497,10 +1499,10 @@ PRT__STATIC void prt__gather_order(prt__gather *g, int m, const prt__octant *blo
 PRT__STATIC void prt__gather_octant(prt__gather *g, const prt__octant *block) {
     double re[PRT__TEXELS], im[PRT__TEXELS];
     int m, i;
-    for (i = 0; i < PRT__TEXELS; i++) { re[i] = 1; im[i] = 0; }
+    for (i = 0; i < block->lanes; i++) { re[i] = 1; im[i] = 0; }
     for (m = 0; m < g->last; m++) {
         if (m >= g->first) prt__gather_order(g, m, block, re, im);
-        for (i = 0; i < PRT__TEXELS; i++) {
+        for (i = 0; i < block->lanes; i++) {
             double t = re[i] * block->x[i] - im[i] * block->y[i];
             im[i] = re[i] * block->y[i] + im[i] * block->x[i];
             re[i] = t;
