@@ -259,7 +259,7 @@ PRTDEF prt_result prt_sh_hemisphere(int bands, prt_vec3 up, prt_real above, prt_
    phi = 2 pi (i+1/2)/width from +x towards +y, and covers (2 pi/width) (cos(pi j/height) - cos(pi (j+1)/height)).
    Any width and height. Sums over columns come first, then Legendre functions for each pair of rows.
    Cost: width height (12 + 2n) + 1.5 height n^2 multiply-adds; every 16 bands beyond the first read the map again.
-   1024 x 512 at 8 bands: 1.8 ms on one core of a Zen 5 EPYC, SSE2, gcc -O3. */
+   1024 x 512 at 8 bands: 2 ms on one core of a Zen 5 EPYC, SSE2, gcc -O3. */
 PRTDEF prt_result prt_sh_project_equirect_rgb(int bands, int width, int height, const float *rgb, prt_real *light);
 
 /* Cube map, faces +x -x +y -y +z -z of size x size texels, oriented as in OpenGL: row 0 is t = 0, column 0 is s = 0;
@@ -1083,12 +1083,11 @@ PRT__STATIC void prt__scale_bands(int bands, const double *factor, const prt_rea
 
 /* A function about an axis from its Funk-Hecke factors. */
 PRT__STATIC void prt__zonal_light(int bands, const double *factor, prt_vec3 axis, prt_real *f) {
-    prt_sh_eval(bands, axis, f);
+    prt__sh_eval(bands, axis, f);
     prt__scale_bands(bands, factor, f, f);
 }
 
-/* Factors of a cap from sin^2 and h = 1 - cos of its half-angle, which is at most pi/2; `outside`: of all the rest.
-   */
+/* Factors of a cap from sin^2 and h = 1 - cos of its half-angle, at most pi/2; `outside`: of all the rest. */
 PRT__STATIC void prt__cap_factors(int bands, double sin2, double h, int outside, double *factor) {
     double u = 1, step = 0, sign = 1;
     int l;
@@ -1122,7 +1121,7 @@ PRTDEF prt_result prt_sh_add_sample(int bands, prt_vec3 dir, prt_real value_time
     int i;
     if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
     if (!f) return PRT_ERR_NULL;
-    prt_sh_eval(bands, dir, y);
+    prt__sh_eval(bands, dir, y);
     for (i = 0; i < PRT_SH_COUNT(bands); i++) f[i] += value_times_weight * y[i];
     return PRT_OK;
 }
@@ -1131,7 +1130,8 @@ PRTDEF prt_result prt_sh_delta(int bands, prt_vec3 dir, prt_real *f) {
     if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
     if (!f) return PRT_ERR_NULL;
     if (!prt__unit(dir, &dir)) return PRT_ERR_VALUE;
-    return prt_sh_eval(bands, dir, f);
+    prt__sh_eval(bands, dir, f);
+    return PRT_OK;
 }
 
 PRTDEF prt_result prt_sh_cone(int bands, prt_vec3 axis, prt_real half_angle, prt_real *f) {
@@ -1225,8 +1225,7 @@ enum { PRT__ORDERS = 16,          /* orders m that one pass over a map gathers *
        PRT__TEXELS = 32 };         /* texels, after folding, worked on at a time */
 
 /* What one pass over a map gathers, orders first <= m < last of every band: sum[m-first][l] holds r, g, b of (l,m),
-   then of (l,-m). p(l,m) = a z p(l-1,m) - b p(l-2,m) from p(m,m) = sector: the recurrence of prt_sh_eval in double.
-   */
+   then of (l,-m). p(l,m) = a z p(l-1,m) - b p(l-2,m) from p(m,m) = sector, as in prt_sh_eval. */
 typedef struct prt__gather {
     int bands, first, last;
     double sector[PRT__ORDERS], a[PRT__ORDERS][PRT_MAX_BANDS], b[PRT__ORDERS][PRT_MAX_BANDS];
@@ -1289,9 +1288,9 @@ PRT__STATIC void prt__load_images(const prt__images *images, int from, int count
     int i, k;
     block->lanes = (count + PRT__WIDE_LANES - 1) / PRT__WIDE_LANES * PRT__WIDE_LANES;
     for (k = 0; k < 8; k++) {
-        const float *texel = images->texel[k] + from * images->step[k];
         double (*value)[PRT__TEXELS] = block->value[k];
-        for (i = 0; i < count; i++, texel += images->step[k]) {
+        for (i = 0; i < count; i++) {
+            const float *texel = images->texel[k] + (from + i) * images->step[k];
             value[0][i] = (double)texel[0];
             value[1][i] = (double)texel[1];
             value[2][i] = (double)texel[2];
