@@ -169,21 +169,24 @@ PRTDEF const char *prt_result_string(prt_result r);
    y       n^2 values, not overlapping anything
    Errors: PRT_ERR_BANDS, PRT_ERR_NULL.
    Cost: to 10 bands straight-line code of 0 3 12 25 41 64 90 123 159 202 products (1 to 10 bands) and somewhat fewer
-   additions; above, about 7 operations a coefficient and a table of roots.
-   Accuracy: absolute error beyond input rounding, float/double, below 3e-7/9e-16 at 6 bands, 4e-6/1e-14 at 13,
-   1.5e-5/3e-14 at 32, 9e-5/2e-13 at 64, 1e-2/1e-10 at 1024 (tests/test_sh.c, test_sh_high.c; docs/accuracy.md). */
+   additions; above, about 7 operations a coefficient, in double, and a table of roots. Stack above 10 bands: 48 bytes
+   times PRT_MAX_BANDS.
+   Accuracy: absolute error beyond input rounding, float/double, below 3e-7/9e-16 at 6 bands, 2e-6/4e-15 at 10,
+   3e-7/1e-14 at 13, 3e-7/3e-14 at 32, 4e-7/2e-13 at 64 (tests/test_sh.c); to 1024 bands see docs/accuracy.md. */
 PRTDEF prt_result prt_sh_eval   (int bands, prt_vec3 dir, prt_real *y);
 
 /* The same for many directions: y[count][n^2]. Each row is the same bits whatever count and place it was asked in; it may
    differ from prt_sh_eval in the last bits, since vector code fuses other pairs of operations.
    count   >= 0; dirs and y may be NULL if it is 0. Errors: PRT_ERR_BANDS, PRT_ERR_COUNT, PRT_ERR_NULL.
-   Cost: PRT__LANES directions at once, then a transpose; about 0.6 of prt_sh_eval a direction at 5 bands (docs/speed.md). */
+   Cost: to 10 bands PRT__LANES directions at once, then a transpose: about 0.6 of prt_sh_eval a direction at 5 bands; above,
+   prt_sh_eval for each (docs/speed.md). */
 PRTDEF prt_result prt_sh_eval_n (int bands, int count, const prt_vec3 *dirs, prt_real *y);
 
 /* The same, structure of arrays: the fastest form. Coefficient i of direction k = (x[k], y[k], z[k]) at out[i*stride+k].
    stride  in values, >= count (PRT_ERR_COUNT); out[i*stride + count ...] is not written
-   Bits as for prt_sh_eval_n, and equal to them. Any stride is fast, multiples of a page included: rows are written in
-   sweeps of eight. Errors: PRT_ERR_BANDS, PRT_ERR_COUNT, PRT_ERR_NULL (unless count is 0).
+   Each direction is the same bits whatever count and place. Any stride is fast, multiples of a page included: rows are
+   written in sweeps of eight. Errors: PRT_ERR_BANDS, PRT_ERR_COUNT, PRT_ERR_NULL (unless count is 0).
+   Accuracy: that of prt_sh_eval to 10 bands; from 11 to 180 float stays float, 4e-6 at 13 bands, 9e-5 at 64.
    Cost: at 5 bands with AVX-512 below 1.5 x a memset of the output (docs/speed.md). */
 PRTDEF prt_result prt_sh_eval_soa(int bands, int count, const prt_real *x, const prt_real *y, const prt_real *z,
                                   prt_real *out, size_t stride);
@@ -579,6 +582,8 @@ PRT__INLINE int prt__finite(prt_real v) { return v - v == 0; }
 PRT__INLINE int prt__finite3(prt_vec3 v) { return prt__finite(v.x) && prt__finite(v.y) && prt__finite(v.z); }
 PRT__INLINE prt_real prt__dot3(prt_vec3 a, prt_vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
+PRT__INLINE prt_real prt__abs(prt_real v) { return v < 0 ? -v : v; }
+
 PRT__INLINE int prt__bands_ok(int bands) { return bands >= 1 && bands <= PRT_MAX_BANDS; }
 
 PRT__INLINE prt_vec3 prt__vec3(prt_real x, prt_real y, prt_real z) { prt_vec3 v; v.x = x; v.y = y; v.z = z; return v; }
@@ -702,14 +707,23 @@ PRT__INLINE double prt__inverse_root(int k) { return k < PRT__ROOTS ? prt__inver
 
 /* The recurrence [Sloan 2013], normalised:  p(l,m) = a z p(l-1,m) - c p(l-2,m),
      a = sqrt((4l^2-1)/(l^2-m^2)),   c = a sqrt(((l-1)^2-m^2)/(4(l-1)^2-1)),   p(m,m) from prt__sh_sector.
-   The factors are taken in double whatever prt_real is: it costs nothing beside the latency of p, and halves the error. */
-typedef struct prt__sh_step { prt_real a, c; } prt__sh_step;
-typedef prt__sh_step prt__step_of(int l, int m);
-PRT__INLINE prt__sh_step prt__sh_factors(int l, int m) {       /* l > m; c(m+1,m) = 0 */
+   A basis of another name has other factors. Below l = PRT__NEAR they come from tables, without a branch. */
+enum { PRT__NEAR = 64 };
+typedef struct prt__sh_step { double a, c; } prt__sh_step;
+typedef prt__sh_step prt__step_of(int l, int m);               /* l > m; c(m+1,m) = 0 */
+PRT__INLINE prt__sh_step prt__sh_near_step(int l, int m) {
+    const double *r = prt__roots(), *inverse = prt__inverse_roots();                       /* both 0 at 0 */
+    double over = inverse[l - m] * inverse[l + m];
     prt__sh_step s;
-    double over = prt__root(2 * l + 1) * prt__inverse_root(l - m) * prt__inverse_root(l + m);
-    s.a = (prt_real)(over * prt__root(2 * l - 1));
-    s.c = l - m < 2 ? 0 : (prt_real)(over * prt__root(l - 1 - m) * prt__root(l - 1 + m) * prt__inverse_root(2 * l - 3));
+    s.a = r[2 * l + 1] * r[2 * l - 1] * over;
+    s.c = r[2 * l + 1] * inverse[l > 1 ? 2 * l - 3 : 0] * (r[l - 1 - m] * r[l - 1 + m] * over);
+    return s;
+}
+PRT__INLINE prt__sh_step prt__sh_far_step(int l, int m) {
+    double l2 = (double)l * l, m2 = (double)m * m, k2 = (double)(l - 1) * (l - 1);
+    prt__sh_step s;
+    s.a = sqrt((4 * l2 - 1) / (l2 - m2));
+    s.c = s.a * sqrt((k2 - m2) / (4 * k2 - 1));
     return s;
 }
 
@@ -719,104 +733,154 @@ PRT__INLINE double prt__sh_sector(int m, double previous) {
     return previous * prt__root(2 * m + 1) * (m == 1 ? 1.0 : prt__inverse_root(2 * m));
 }
 
-/* Powers of x+iy and columns p(.,m) leave the range of floating point near the poles (float from l = 186, double from
-   1477) though their products do not. Both therefore carry an integer exponent: value = mantissa * PRT__SCALE^exponent.
-   A rescale is exact, so results are the same bits with and without. */
-#ifdef PRT_DOUBLE
-#  define PRT__SCALE 2.58224987808690858965591917200e120       /* 2^400 */
-enum { PRT__SH_UNSCALED = 1400 };                              /* bands that need no exponent */
-#else
-#  define PRT__SCALE 1099511627776.0f                          /* 2^40 */
-enum { PRT__SH_UNSCALED = 180 };
-#endif
+/* One direction goes band by band, all m of a band at once: their chains are independent, so none waits for another. It
+   runs in double whatever prt_real is, which costs little and leaves of the error little more than one rounding of the
+   result. From about 1477 bands on, though, powers of x+iy and columns p(.,m) leave the range of double near the poles
+   (that of float from 186) though their products do not. */
+enum { PRT__SH_UNSCALED = 1400 };
 
-typedef struct prt__sh_phasor { prt_real re, im; int exponent; } prt__sh_phasor;       /* (x+iy)^m */
-typedef struct prt__sh_column { prt_real p1, p2; int exponent; } prt__sh_column;       /* p(l,m), p(l-1,m) */
+typedef struct prt__sh_state {
+    double p1[PRT_MAX_BANDS], p2[PRT_MAX_BANDS];               /* p(l,m), p(l-1,m) */
+    double re[PRT_MAX_BANDS], im[PRT_MAX_BANDS];               /* (x+iy)^m */
+    double plus[PRT_MAX_BANDS], minus[PRT_MAX_BANDS];          /* sums of p(l,m) f(l,+-m) */
+} prt__sh_state;
 
-PRT__INLINE prt_real prt__abs(prt_real v) { return v < 0 ? -v : v; }
-
-PRT__INLINE void prt__sh_turn(prt__sh_phasor *c, prt_real x, prt_real y) {
-    prt_real re = c->re * x - c->im * y, im = c->re * y + c->im * x;
-    if (prt__abs(re) < 1 / PRT__SCALE && prt__abs(im) < 1 / PRT__SCALE) {
-        re *= PRT__SCALE;
-        im *= PRT__SCALE;
-        c->exponent--;
+PRT__INLINE void prt__sh_next_band(prt__step_of *step, int l, double z, prt__sh_state *s) {
+    int m;
+    for (m = 0; m < l; m++) {
+        prt__sh_step k = step(l, m);
+        double p = k.a * (z * s->p1[m]) - k.c * s->p2[m];
+        s->p2[m] = s->p1[m];
+        s->p1[m] = p;
     }
-    c->re = re;
-    c->im = im;
 }
 
-PRT__INLINE void prt__sh_climb(prt__sh_column *c, prt_real z, prt__sh_step s) {
-    prt_real p = s.a * (z * c->p1) - s.c * c->p2;
+PRT__INLINE void prt__sh_open_column(int l, prt_vec3 d, double sector, prt__sh_state *s) {
+    double x = (double)d.x, y = (double)d.y;
+    s->p1[l] = sector;
+    s->p2[l] = s->plus[l] = s->minus[l] = 0;
+    s->re[l] = l ? s->re[l - 1] * x - s->im[l - 1] * y : 1;
+    s->im[l] = l ? s->re[l - 1] * y + s->im[l - 1] * x : 0;
+}
+
+PRT__INLINE void prt__sh_emit(int l, const prt__sh_state *s, prt_real *PRT__RESTRICT row, size_t stride) {
+    int m;
+    if (stride == 1) {
+        for (m = 0; m <= l; m++) row[-m] = (prt_real)(s->p1[m] * s->im[m]);
+        for (m = 0; m <= l; m++) row[m] = (prt_real)(s->p1[m] * s->re[m]);
+        return;
+    }
+    for (m = 0; m <= l; m++) {
+        row[-(ptrdiff_t)((size_t)m * stride)] = (prt_real)(s->p1[m] * s->im[m]);
+        row[(size_t)m * stride] = (prt_real)(s->p1[m] * s->re[m]);
+    }
+}
+
+PRT__INLINE void prt__sh_gather(int l, prt__sh_state *s, const prt_real *row) {
+    int m;
+    for (m = 0; m <= l; m++) s->plus[m] += s->p1[m] * (double)row[m];
+    for (m = 1; m <= l; m++) s->minus[m] += s->p1[m] * (double)row[-m];
+}
+
+/* Beyond the range: m outer, l inner, phasor and column with an integer exponent each, value = mantissa * 2^(400 exponent).
+   A rescale is exact. */
+#define PRT__SCALE 2.58224987808690858965591917200e120
+typedef struct prt__scaled { double p1, p2; int exponent; } prt__scaled;
+
+PRT__INLINE void prt__scaled_turn(prt__scaled *c, double x, double y) {               /* p1 + i p2 times x + iy */
+    double re = c->p1 * x - c->p2 * y, im = c->p1 * y + c->p2 * x;
+    if (fabs(re) < 1 / PRT__SCALE && fabs(im) < 1 / PRT__SCALE) { re *= PRT__SCALE; im *= PRT__SCALE; c->exponent--; }
+    c->p1 = re;
+    c->p2 = im;
+}
+
+PRT__INLINE void prt__scaled_climb(prt__scaled *c, double z, prt__sh_step s) {
+    double p = s.a * (z * c->p1) - s.c * c->p2;
     c->p2 = c->p1;
     c->p1 = p;
-    if (prt__abs(p) > PRT__SCALE) {
-        c->p1 *= 1 / PRT__SCALE;
-        c->p2 *= 1 / PRT__SCALE;
-        c->exponent++;
-    }
+    if (fabs(p) > PRT__SCALE) { c->p1 *= 1 / PRT__SCALE; c->p2 *= 1 / PRT__SCALE; c->exponent++; }
 }
 
-/* mantissa * PRT__SCALE^exponent; the product with a phasor is bounded, so high exponents cannot occur with finite input */
-PRT__INLINE prt_real prt__unscale(prt_real mantissa, int exponent) {
+/* With finite input the product with a phasor is bounded, so that higher exponents do not occur. */
+PRT__INLINE double prt__unscaled(double mantissa, int exponent) {
     if (exponent == 0) return mantissa;
     if (exponent == 1) return mantissa * PRT__SCALE;
     if (exponent == -1) return mantissa * (1 / PRT__SCALE);
     return exponent < 0 ? 0 : mantissa * PRT__SCALE * PRT__SCALE;
 }
 
-/* Y(l,+-m) = p(l,m) {Im,Re}(x+iy)^m for any number of bands, coefficient i to y[i * stride]; with coefficients f given,
-   returns f.Y instead. The factors of the recurrence decide which basis it is; inlined, they cost no call. */
-PRT__INLINE prt_real prt__recurrence_with(prt__step_of *step, int bands, prt_vec3 d, const prt_real *f,
-                                          prt_real *PRT__RESTRICT y, size_t stride) {
-    prt__sh_phasor c = { 1, 0, 0 };
-    prt_real sum = 0;
-    double sector = 0;
+PRT__STATIC prt_real prt__recurrence_scaled(prt__step_of *near_step, prt__step_of *far_step, int bands, prt_vec3 d,
+                                            const prt_real *f, prt_real *PRT__RESTRICT y, size_t stride) {
+    prt__scaled c = { 1, 0, 0 };
+    double sum = 0, sector = 0;
     int l, m;
     for (m = 0; m < bands; m++) {
-        prt__sh_column p = { 0, 0, 0 };
-        prt_real minus = 0, plus = 0;
-        sector = prt__sh_sector(m, sector);
-        p.p1 = (prt_real)sector;
+        prt__scaled p = { 0, 0, 0 };
+        double minus = 0, plus = 0;
+        p.p1 = sector = prt__sh_sector(m, sector);
         for (l = m; l < bands; l++) {
-            prt_real q;
-            if (l > m) prt__sh_climb(&p, d.z, step(l, m));
-            q = prt__unscale(p.p1, p.exponent + c.exponent);
+            double q;
+            if (l > m) prt__scaled_climb(&p, (double)d.z, l < PRT__NEAR ? near_step(l, m) : far_step(l, m));
+            q = prt__unscaled(p.p1, p.exponent + c.exponent);
             if (f) {
-                minus += q * f[PRT_SH_INDEX(l, -m)];
-                plus += q * f[PRT_SH_INDEX(l, m)];
+                minus += q * (double)f[PRT_SH_INDEX(l, -m)];
+                plus += q * (double)f[PRT_SH_INDEX(l, m)];
             } else {
-                y[(size_t)PRT_SH_INDEX(l, -m) * stride] = q * c.im;
-                y[(size_t)PRT_SH_INDEX(l, m) * stride] = q * c.re;
+                y[(size_t)PRT_SH_INDEX(l, -m) * stride] = (prt_real)(q * c.p2);
+                y[(size_t)PRT_SH_INDEX(l, m) * stride] = (prt_real)(q * c.p1);
             }
         }
-        sum += plus * c.re + minus * c.im;
-        prt__sh_turn(&c, d.x, d.y);
+        sum += plus * c.p1 + (m ? minus * c.p2 : 0);
+        prt__scaled_turn(&c, (double)d.x, (double)d.y);
     }
-    return sum;
+    return (prt_real)sum;
 }
 
-/* Batches go through blocks of PRT__SH_BLOCK vectors of directions, the last one padded. Coefficient i of direction k of
-   a block belongs at to[i * step + k * row]. */
+/* p(l,m) {Im,Re}(x+iy)^m for any number of bands, coefficient i to y[i * stride]; with coefficients f given, returns the
+   value of f instead. The steps are inlined: they cost no call. */
+PRT__INLINE prt_real prt__recurrence_with(prt__step_of *near_step, prt__step_of *far_step, int bands, prt_vec3 d,
+                                          const prt_real *f, prt_real *PRT__RESTRICT y, size_t stride) {
+    prt__sh_state s;
+    double sector = 0, sum = 0;
+    int l, m;
+    if (bands > PRT__SH_UNSCALED) return prt__recurrence_scaled(near_step, far_step, bands, d, f, y, stride);
+    for (l = 0; l < bands; l++) {
+        if (l < PRT__NEAR) prt__sh_next_band(near_step, l, (double)d.z, &s);
+        else prt__sh_next_band(far_step, l, (double)d.z, &s);
+        sector = prt__sh_sector(l, sector);
+        prt__sh_open_column(l, d, sector, &s);
+        if (f) prt__sh_gather(l, &s, f + PRT_SH_INDEX(l, 0));
+        else prt__sh_emit(l, &s, y + (size_t)PRT_SH_INDEX(l, 0) * stride, stride);
+    }
+    for (m = 0; f && m < bands; m++) sum += s.plus[m] * s.re[m] + s.minus[m] * s.im[m];
+    return (prt_real)sum;
+}
+
+/* Batches in rows (_soa) go through blocks of PRT__SH_BLOCK vectors of directions, the last one padded: coefficient i of
+   direction k to to[i * stride + k]. Vectors run in prt_real, so float has fewer bands before it leaves its range. */
 enum { PRT__SH_BLOCK = 4, PRT__SH_BLOCK_ITEMS = PRT__SH_BLOCK * PRT__LANES };
+#ifdef PRT_DOUBLE
+enum { PRT__SH_UNSCALED_V = PRT__SH_UNSCALED };
+#else
+enum { PRT__SH_UNSCALED_V = 180 };
+#endif
 typedef struct prt__sh_block {
     prt_real x[PRT__SH_BLOCK_ITEMS], y[PRT__SH_BLOCK_ITEMS], z[PRT__SH_BLOCK_ITEMS];
     int items;
     prt_real *to;
-    size_t step, row;
+    size_t stride;
 } prt__sh_block;
 
 PRT__INLINE void prt__sh_put(const prt__sh_block *b, int i, int vector, prt__vec v) {
-    int first = vector * PRT__LANES, lanes = b->items - first, k;
-    prt_real *to = b->to + (size_t)i * b->step + (size_t)first * b->row, all[PRT__LANES];
-    if (b->row == 1 && lanes >= PRT__LANES) { prt__vec_store(to, v); return; }
-    prt__vec_store(all, v);
-    for (k = 0; k < PRT__LANES && k < lanes; k++) to[(size_t)k * b->row] = all[k];
+    int first = vector * PRT__LANES, lanes = b->items - first;
+    prt_real *to = b->to + (size_t)i * b->stride + first;
+    if (lanes >= PRT__LANES) prt__vec_store(to, v);
+    else if (lanes > 0) prt__vec_store_part(to, v, lanes);
 }
 
 /* The vectors of a block stand side by side in the innermost loop: the factors are taken once for all of them, and the
    rows are written in runs of whole cache lines. */
-PRT__INLINE void prt__recurrence_with_v(prt__step_of *step, int bands, const prt__sh_block *b) {
+PRT__INLINE void prt__recurrence_with_v(prt__step_of *near_step, prt__step_of *far_step, int bands, const prt__sh_block *b) {
     prt__vec re[PRT__SH_BLOCK], im[PRT__SH_BLOCK], p1[PRT__SH_BLOCK], p2[PRT__SH_BLOCK];
     double sector = 0;
     int l, m, v;
@@ -826,10 +890,13 @@ PRT__INLINE void prt__recurrence_with_v(prt__step_of *step, int bands, const prt
         for (v = 0; v < PRT__SH_BLOCK; v++) { p1[v] = prt__vec_set((prt_real)sector); p2[v] = prt__vec_set(0); }
         for (l = m; l < bands; l++) {
             prt__sh_step s = { 0, 0 };
-            if (l > m) s = step(l, m);
+            prt_real a, c;
+            if (l > m) s = l < PRT__NEAR ? near_step(l, m) : far_step(l, m);
+            a = (prt_real)s.a;
+            c = (prt_real)s.c;
             for (v = 0; v < PRT__SH_BLOCK; v++) {
                 if (l > m) {
-                    prt__vec p = s.a * (prt__vec_load(b->z + v * PRT__LANES) * p1[v]) - s.c * p2[v];
+                    prt__vec p = a * (prt__vec_load(b->z + v * PRT__LANES) * p1[v]) - c * p2[v];
                     p2[v] = p1[v];
                     p1[v] = p;
                 }
@@ -859,10 +926,10 @@ typedef struct prt__basis {
 
 PRT__STATIC prt_real prt__sh_recurrence(int bands, prt_vec3 d, const prt_real *f, prt_real *PRT__RESTRICT y,
                                         size_t stride) {
-    return prt__recurrence_with(prt__sh_factors, bands, d, f, y, stride);
+    return prt__recurrence_with(prt__sh_near_step, prt__sh_far_step, bands, d, f, y, stride);
 }
 PRT__STATIC void prt__sh_recurrence_v(int bands, const prt__sh_block *b) {
-    prt__recurrence_with_v(prt__sh_factors, bands, b);
+    prt__recurrence_with_v(prt__sh_near_step, prt__sh_far_step, bands, b);
 }
 
 static const prt__basis prt__sh_basis = {
@@ -881,11 +948,18 @@ PRT__STATIC void prt__transpose(int n, int items, const prt_real *from, size_t f
     quads = n & ~3;
     for (; k + 4 <= items; k += 4)
         for (i = 0; i < quads; i += 4) {
+            const prt_real *block = from + (size_t)i * from_stride + k;        /* written out: gcc -O2 does not unroll */
+            prt_real *rows = to + (size_t)k * (size_t)n + i;
             prt__quad m[4];
-            int j;
-            for (j = 0; j < 4; j++) memcpy(&m[j], from + (size_t)(i + j) * from_stride + k, sizeof m[j]);
+            memcpy(&m[0], block, sizeof m[0]);
+            memcpy(&m[1], block + from_stride, sizeof m[0]);
+            memcpy(&m[2], block + 2 * from_stride, sizeof m[0]);
+            memcpy(&m[3], block + 3 * from_stride, sizeof m[0]);
             prt__quad_transpose(m);
-            for (j = 0; j < 4; j++) memcpy(to + (size_t)(k + j) * (size_t)n + i, &m[j], sizeof m[j]);
+            memcpy(rows, &m[0], sizeof m[0]);
+            memcpy(rows + n, &m[1], sizeof m[0]);
+            memcpy(rows + 2 * n, &m[2], sizeof m[0]);
+            memcpy(rows + 3 * n, &m[3], sizeof m[0]);
         }
 #endif
     for (i = 0; i < n; i++) {
@@ -894,58 +968,51 @@ PRT__STATIC void prt__transpose(int n, int items, const prt_real *from, size_t f
     }
 }
 
-PRT__STATIC void prt__eval_block(const prt__basis *basis, int bands, const prt__sh_block *b) {
+/* Up to a block of directions through the kernels of vectors, each result transposed into its row */
+PRT__STATIC void prt__eval_rows(const prt__basis *basis, int bands, int items, const prt_vec3 *dirs, prt_real *y) {
     prt_real columns[PRT_SH_COUNT(PRT__SH_KERNELS) * PRT__SH_BLOCK_ITEMS];
-    int vectors = (b->items + PRT__LANES - 1) / PRT__LANES, n = PRT_SH_COUNT(bands), i;
-    if (bands > PRT__SH_KERNELS) { basis->recurrence_v(bands, b); return; }
-    basis->kernels_v[bands - 1](vectors, b->x, b->y, b->z, columns, PRT__SH_BLOCK_ITEMS);
-    if (b->row == 1)
-        for (i = 0; i < n; i++)
-            memcpy(b->to + (size_t)i * b->step, columns + i * PRT__SH_BLOCK_ITEMS, (size_t)b->items * sizeof(prt_real));
-    else prt__transpose(n, b->items, columns, PRT__SH_BLOCK_ITEMS, b->to);
+    prt_real dx[PRT__SH_BLOCK_ITEMS], dy[PRT__SH_BLOCK_ITEMS], dz[PRT__SH_BLOCK_ITEMS];
+    int k;
+    for (k = 0; k < PRT__SH_BLOCK_ITEMS; k++) {
+        prt_vec3 d = dirs[k < items ? k : 0];
+        dx[k] = d.x; dy[k] = d.y; dz[k] = d.z;
+    }
+    basis->kernels_v[bands - 1]((items + PRT__LANES - 1) / PRT__LANES, dx, dy, dz, columns, PRT__SH_BLOCK_ITEMS);
+    prt__transpose(PRT_SH_COUNT(bands), items, columns, PRT__SH_BLOCK_ITEMS, y);
 }
 
 PRT__STATIC prt_result prt__eval_n(const prt__basis *basis, int bands, int count, const prt_vec3 *dirs, prt_real *y) {
     size_t n;
-    int first, k;
+    int k, step = PRT__LANES > 1 && bands <= PRT__SH_KERNELS ? PRT__SH_BLOCK_ITEMS : 1;        /* else one by one is faster */
     if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
     if (count < 0) return PRT_ERR_COUNT;
     if (count == 0) return PRT_OK;
     if (!dirs || !y) return PRT_ERR_NULL;
     n = (size_t)PRT_SH_COUNT(bands);
-    if ((PRT__LANES == 1 && bands <= PRT__SH_KERNELS) || bands > PRT__SH_UNSCALED) {
-        for (k = 0; k < count; k++) prt__eval(basis, bands, dirs[k], y + (size_t)k * n);
-        return PRT_OK;
-    }
-    for (first = 0; first < count; first += PRT__SH_BLOCK_ITEMS) {
-        prt__sh_block b;
-        b.items = count - first < PRT__SH_BLOCK_ITEMS ? count - first : PRT__SH_BLOCK_ITEMS;
-        b.to = y + (size_t)first * n;
-        b.step = 1;
-        b.row = n;
-        for (k = 0; k < PRT__SH_BLOCK_ITEMS; k++) {
-            prt_vec3 d = dirs[first + (k < b.items ? k : 0)];
-            b.x[k] = d.x; b.y[k] = d.y; b.z[k] = d.z;
-        }
-        prt__eval_block(basis, bands, &b);
+    for (k = 0; k < count; k += step) {
+        if (step == 1) prt__eval(basis, bands, dirs[k], y + (size_t)k * n);
+        else prt__eval_rows(basis, bands, count - k < step ? count - k : step, dirs + k, y + (size_t)k * n);
     }
     return PRT_OK;
 }
 
-/* Directions first ... first + items - 1 as a block, padded with the first of them. */
+/* Up to a block of directions, padded with the first of them */
 PRT__STATIC void prt__eval_soa_block(const prt__basis *basis, int bands, int items, const prt_real *x, const prt_real *y,
                                      const prt_real *z, prt_real *out, size_t stride) {
+    prt_real columns[PRT_SH_COUNT(PRT__SH_KERNELS) * PRT__SH_BLOCK_ITEMS];
     prt__sh_block b;
-    int k;
+    int k, i;
     b.items = items;
     b.to = out;
-    b.step = stride;
-    b.row = 1;
+    b.stride = stride;
     for (k = 0; k < PRT__SH_BLOCK_ITEMS; k++) {
         int from = k < items ? k : 0;
         b.x[k] = x[from]; b.y[k] = y[from]; b.z[k] = z[from];
     }
-    prt__eval_block(basis, bands, &b);
+    if (bands > PRT__SH_KERNELS) { basis->recurrence_v(bands, &b); return; }
+    basis->kernels_v[bands - 1]((items + PRT__LANES - 1) / PRT__LANES, b.x, b.y, b.z, columns, PRT__SH_BLOCK_ITEMS);
+    for (i = 0; i < PRT_SH_COUNT(bands); i++)
+        memcpy(out + (size_t)i * stride, columns + i * PRT__SH_BLOCK_ITEMS, (size_t)items * sizeof *out);
 }
 
 enum { PRT__SH_CHUNK = 1024 };                                 /* directions a sweep: they stay in the first-level cache */
@@ -957,7 +1024,7 @@ PRT__STATIC prt_result prt__eval_soa(const prt__basis *basis, int bands, int cou
     if (count < 0 || stride < (size_t)count) return PRT_ERR_COUNT;
     if (count == 0) return PRT_OK;
     if (!x || !y || !z || !out) return PRT_ERR_NULL;
-    if (bands > PRT__SH_UNSCALED) {
+    if (bands > PRT__SH_UNSCALED_V) {
         for (; k < count; k++) basis->recurrence(bands, prt__vec3(x[k], y[k], z[k]), NULL, out + k, stride);
         return PRT_OK;
     }
@@ -2542,8 +2609,6 @@ PRTDEF double prt_sh_triple(int l1, int m1, int l2, int m2, int l3, int m3) {
 
 /* ---------------------------------------------------------------------------------------------------- >>ch ---- */
 
-enum { PRT__CH_TABLED = 64 };                                  /* bands whose factors stand in the generated table */
-
 static prt__sh_kernel prt__ch_eval_1, prt__ch_eval_2, prt__ch_eval_3, prt__ch_eval_4, prt__ch_eval_5,
                       prt__ch_eval_6, prt__ch_eval_7, prt__ch_eval_8, prt__ch_eval_9, prt__ch_eval_10;
 static prt__sh_kernel_v prt__ch_eval_1_v, prt__ch_eval_2_v, prt__ch_eval_3_v, prt__ch_eval_4_v, prt__ch_eval_5_v,
@@ -2598,34 +2663,31 @@ PRT__INLINE double prt__ch_fraction(int l, int m) {
     return l == 2 ? 0.5 : 0.25 * (double)((l + m - 2) * (l - 1 - m)) * (under * under);
 }
 
-PRT__STATIC double prt__ch_far_step(int l, int m) {
+PRT__STATIC double prt__ch_far_a(int l, int m) {
     return sqrt((4.0 * l * l - 1) / ((double)(l - m) * (l + m)) * prt__ch_length2(l - 1, m) / prt__ch_length2(l, m));
 }
 
-PRT__STATIC prt__sh_step prt__ch_far_factors(int l, int m) {
+PRT__STATIC prt__sh_step prt__ch_far_step(int l, int m) {
     prt__sh_step s;
-    double a = prt__ch_far_step(l, m);
-    s.a = (prt_real)a;
-    s.c = l - m < 2 ? 0 : (prt_real)(a * prt__ch_far_step(l - 1, m) * prt__ch_fraction(l, m));
+    s.a = prt__ch_far_a(l, m);
+    s.c = l - m < 2 ? 0 : s.a * prt__ch_far_a(l - 1, m) * prt__ch_fraction(l, m);
     return s;
 }
 
-PRT__INLINE prt__sh_step prt__ch_factors(int l, int m) {       /* l > m; c(m+1,m) = 0 */
+PRT__INLINE prt__sh_step prt__ch_near_step(int l, int m) {
+    const double *a = prt__ch_steps() + (l - 1) * l / 2 + m;
     prt__sh_step s;
-    const double *a;
-    if (l >= PRT__CH_TABLED) return prt__ch_far_factors(l, m);
-    a = prt__ch_steps() + (l - 1) * l / 2 + m;
-    s.a = (prt_real)*a;
-    s.c = l - m < 2 ? 0 : (prt_real)(*a * a[1 - l] * prt__ch_fraction(l, m));
+    s.a = *a;
+    s.c = l - m < 2 ? 0 : *a * a[1 - l] * prt__ch_fraction(l, m);
     return s;
 }
 
 PRT__STATIC prt_real prt__ch_recurrence(int bands, prt_vec3 d, const prt_real *f, prt_real *PRT__RESTRICT y,
                                         size_t stride) {
-    return prt__recurrence_with(prt__ch_factors, bands, d, f, y, stride);
+    return prt__recurrence_with(prt__ch_near_step, prt__ch_far_step, bands, d, f, y, stride);
 }
 PRT__STATIC void prt__ch_recurrence_v(int bands, const prt__sh_block *b) {
-    prt__recurrence_with_v(prt__ch_factors, bands, b);
+    prt__recurrence_with_v(prt__ch_near_step, prt__ch_far_step, bands, b);
 }
 
 static const prt__basis prt__ch_basis = {

@@ -312,7 +312,7 @@ static void batches_are_bit_equal_whatever_the_count(void **state) {
     enum { COUNT = 45, STRIDE = 53 };
     static prt_vec3 dirs[COUNT];
     static prt_real x[COUNT], y[COUNT], z[COUNT];
-    static prt_real rows[COUNT * 256], part[COUNT * 256], soa[256 * STRIDE];
+    static prt_real rows[COUNT * 256], part[COUNT * 256], soa[256 * STRIDE], all[256 * COUNT];
     uint64_t seed = 4101842887655102017u;
     size_t b;
     int k, i, first, count;
@@ -324,9 +324,13 @@ static void batches_are_bit_equal_whatever_the_count(void **state) {
     for (b = 0; b < sizeof bands_of / sizeof bands_of[0]; b++) {
         int bands = bands_of[b], n = bands * bands;
         assert_int_equal(prt_ch_eval_n(bands, COUNT, dirs, rows), PRT_OK);
+        assert_int_equal(prt_ch_eval_soa(bands, COUNT, x, y, z, all, COUNT), PRT_OK);
         for (k = 0; k < COUNT; k++) {
             prt_ch_eval(bands, dirs[k], part);
-            for (i = 0; i < n; i++) assert_near(rows[k * n + i], part[i], 4 * bands * EPS);
+            for (i = 0; i < n; i++) {
+                assert_near(rows[k * n + i], part[i], 4 * bands * EPS);
+                assert_near(all[i * COUNT + k], part[i], 4 * bands * EPS);
+            }
         }
         for (count = 1; count <= COUNT; count++) {
             first = (count * 7) % (COUNT - count + 1);
@@ -336,7 +340,7 @@ static void batches_are_bit_equal_whatever_the_count(void **state) {
             assert_int_equal(prt_ch_eval_soa(bands, count, x + first, y + first, z + first, soa, STRIDE), PRT_OK);
             for (k = 0; k < STRIDE; k++)
                 for (i = 0; i < n; i++) {
-                    prt_real want = k < count ? rows[(first + k) * n + i] : -77;
+                    prt_real want = k < count ? all[i * COUNT + first + k] : -77;
                     assert_memory_equal(&soa[i * STRIDE + k], &want, sizeof want);
                 }
         }

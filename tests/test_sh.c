@@ -93,7 +93,7 @@ static void agrees_with_golden_table_to_13_bands(void **state) {
    arithmetic and the length of the rounded direction. */
 static void agrees_with_mpfr(void **state) {
     static const struct { int bands; double error_float, error_double; } promised[] = {
-        { 6, 3e-7, 9e-16 }, { 13, 4e-6, 1e-14 }, { 14, 4e-6, 1e-14 }, { 32, 1.5e-5, 3e-14 }, { 64, 9e-5, 2e-13 }
+        { 6, 3e-7, 9e-16 }, { 10, 2e-6, 4e-15 }, { 13, 3e-7, 1e-14 }, { 32, 3e-7, 3e-14 }, { 64, 4e-7, 2e-13 }
     };
     uint64_t seed = 88172645463325252u;
     size_t row;
@@ -130,7 +130,7 @@ static void kernels_agree_with_the_recurrence(void **state) {
             prt_real y[100], slow[100];
             prt__sh_eval(bands, d, y);
             prt__sh_recurrence(bands, d, NULL, slow, 1);
-            for (i = 0; i < bands * bands; i++) assert_near(y[i], slow[i], 16 * EPS);
+            for (i = 0; i < bands * bands; i++) assert_near(y[i], slow[i], 4 * bands * EPS);
         }
 }
 
@@ -178,7 +178,7 @@ static void batches_are_bit_equal_whatever_the_count(void **state) {
     enum { COUNT = 75, STRIDE = 83 };
     static prt_vec3 dirs[COUNT];
     static prt_real x[COUNT], y[COUNT], z[COUNT];
-    static prt_real rows[COUNT * MAX_N], part[COUNT * MAX_N], soa[MAX_N * STRIDE];
+    static prt_real rows[COUNT * MAX_N], part[COUNT * MAX_N], soa[MAX_N * STRIDE], all[MAX_N * COUNT];
     uint64_t seed = 4101842887655102017u;
     size_t b;
     int k, i, first, count;
@@ -190,9 +190,13 @@ static void batches_are_bit_equal_whatever_the_count(void **state) {
     for (b = 0; b < sizeof bands_of / sizeof bands_of[0]; b++) {
         int bands = bands_of[b], n = bands * bands;
         assert_int_equal(prt_sh_eval_n(bands, COUNT, dirs, rows), PRT_OK);
-        for (k = 0; k < COUNT; k++) {                  /* the batched form is the plain one, up to contraction */
+        assert_int_equal(prt_sh_eval_soa(bands, COUNT, x, y, z, all, COUNT), PRT_OK);
+        for (k = 0; k < COUNT; k++) {                  /* the batched forms are the plain one, up to rounding */
             prt_sh_eval(bands, dirs[k], part);
-            for (i = 0; i < n; i++) assert_near(rows[k * n + i], part[i], 4 * bands * EPS);
+            for (i = 0; i < n; i++) {
+                assert_near(rows[k * n + i], part[i], 4 * bands * EPS);
+                assert_near(all[i * COUNT + k], part[i], 4 * bands * EPS);
+            }
         }
         for (count = 1; count <= COUNT; count += count < 40 ? 1 : 7) {
             first = (count * 7) % (COUNT - count + 1);
@@ -203,7 +207,7 @@ static void batches_are_bit_equal_whatever_the_count(void **state) {
             assert_int_equal(prt_sh_eval_soa(bands, count, x + first, y + first, z + first, soa, STRIDE), PRT_OK);
             for (k = 0; k < STRIDE; k++)
                 for (i = 0; i < n; i++) {
-                    prt_real want = k < count ? rows[(first + k) * n + i] : -77;
+                    prt_real want = k < count ? all[i * COUNT + first + k] : -77;
                     assert_memory_equal(&soa[i * STRIDE + k], &want, sizeof want);
                 }
         }

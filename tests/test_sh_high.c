@@ -80,7 +80,7 @@ static void reconstruction_equals_evaluation_at_1024_bands(void **state) {
 static void unscaled_batches_agree_up_to_their_last_band(void **state) {
     enum { COUNT = 40 };
     static const double tilts[] = { 1.2, 0.3, 0.05, 1e-2, 1e-3, 1e-5, 1e-12, 1e-30, 0, 1.5707 };
-    int bands = PRT__SH_UNSCALED < 1024 ? PRT__SH_UNSCALED : 1024, k, i, n = bands * bands;
+    int bands = PRT__SH_UNSCALED_V < 1024 ? PRT__SH_UNSCALED_V : 1024, k, i, n = bands * bands;
     prt_real x[COUNT], v[COUNT], z[COUNT], *soa = (prt_real *)malloc((size_t)n * COUNT * sizeof *soa);
     (void)state;
     assert_non_null(soa);
