@@ -50,6 +50,8 @@
      >>project    samples, analytic lights, environment maps, convolution
      >>convert    coefficients and axes of other programs: DirectXMath, Unity, Unreal, three.js, Filament, splats
      >>window     Hann, Lanczos and positive windows
+     >>rotate     rotation matrices of SH, applied to one or many vectors
+     >>product    triple products
      >>ch         cpherical harmonics: evaluation, norms, conversion, moments, dot product
      >>shade      exit radiance from transfer
      >>reference  slow evaluators by other routes, for tests

@@ -54,7 +54,7 @@ plan() {
                             fi
                             # PRT_STATIC goes with PRT_IMPLEMENTATION, in every file (prt.h, CONFIG MACROS).
                             [ -n "$linkage" ] && [[ $name == *declarations ]] && continue
-                            [ "$quick" = quick ] && [[ $name == twice || $name == bake_then_prt ]] && continue
+                            [ "$quick" = quick ] && [[ $name != prt_then_bake || -n $linkage || -n $simd ]] && continue
                             echo "$compiler $std|$compiler -std=$std $warnings -I$root $precision $linkage $simd" \
                                  "-fsyntax-only -x $language $work/$name.c"
                         done

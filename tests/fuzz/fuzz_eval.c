@@ -1,0 +1,246 @@
+/* libFuzzer target: every function of prt.h that takes numbers, with arguments out of the fuzzer's bytes, bad ones
+   included. Buffers lie on the heap at exactly the documented size, so that the address sanitizer sees any byte too many
+   read or written; a call that returns an error must leave its output as it was. Built in both precisions by run.sh. */
+#define PRT_MAX_BANDS 14
+#define PRT_IMPLEMENTATION
+#include "prt.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+typedef struct source { const uint8_t *at, *end; } source;
+
+static unsigned take(source *s) { return s->at < s->end ? *s->at++ : 0u; }
+
+static uint64_t take_bits(source *s) {
+    uint64_t bits = 0;
+    int k;
+    for (k = 0; k < 8; k++) bits = bits << 8 | take(s);
+    return bits;
+}
+
+static int take_int(source *s, int low, int high) {         /* mostly in low ... high, now and then anything */
+    unsigned kind = take(s);
+    if (kind >= 240) return (int)(uint32_t)take_bits(s);
+    return low + (int)(kind % (unsigned)(high - low + 1));
+}
+
+static prt_real take_real(source *s) {
+    static const prt_real special[] = { 0, -1, 1, PRT__EPS, PRT__REAL_MAX, -PRT__REAL_MAX, (prt_real)0.5 };
+    unsigned kind = take(s);
+    if (kind < 7) return special[kind];
+    if (kind < 10) {                                         /* any bits: NaN, infinity, subnormal */
+        uint64_t bits = take_bits(s);
+        prt_real v;
+        memcpy(&v, &bits, sizeof v);
+        return v;
+    }
+    return ((prt_real)take(s) - 128) / 64;
+}
+
+static prt_vec3 take_direction(source *s) {
+    prt_vec3 v;
+    double length;
+    v.x = take_real(s); v.y = take_real(s); v.z = take_real(s);
+    length = sqrt((double)v.x * (double)v.x + (double)v.y * (double)v.y + (double)v.z * (double)v.z);
+    if (length > 0 && take(s) < 200) {
+        v.x = (prt_real)((double)v.x / length); v.y = (prt_real)((double)v.y / length); v.z = (prt_real)((double)v.z / length);
+    }
+    return v;
+}
+
+/* ---- buffers of one call: freed together ---- */
+static void *taken[16];
+static int taken_count;
+static prt_real *output;
+static size_t output_count;
+
+static void *room(size_t size) {
+    void *p = malloc(size ? size : 1);
+    if (!p) abort();
+    taken[taken_count++] = p;
+    return p;
+}
+static prt_real *reals(source *s, size_t count) {
+    prt_real *p = (prt_real *)room(count * sizeof *p);
+    size_t i;
+    for (i = 0; i < count; i++) p[i] = take_real(s);
+    return p;
+}
+static prt_real *out(source *s, size_t count) {              /* sometimes NULL */
+    output = (prt_real *)room(count * sizeof *output);
+    output_count = count;
+    memset(output, 0x5a, count * sizeof *output);
+    if (take(s) == 255) output_count = 0;
+    return output_count ? output : NULL;
+}
+static const prt_real *maybe(source *s, const prt_real *p) { return take(s) == 255 ? NULL : p; }
+
+static void check(const char *name, prt_result r) {
+    size_t i;
+    const unsigned char *bytes = (const unsigned char *)output;
+    if ((int)r < 0 || r >= PRT__RESULT_COUNT) {
+        fprintf(stderr, "%s returned %d, which is no result\n", name, (int)r);
+        abort();
+    }
+    if (r == PRT_OK) return;
+    for (i = 0; i < output_count * sizeof *output; i++)
+        if (bytes[i] != 0x5a) {
+            fprintf(stderr, "%s wrote although it returned \"%s\"\n", name, prt_result_string(r));
+            abort();
+        }
+}
+#define CHECK(call) check(#call, call)
+
+static void evaluate(source *s, int bands, size_t n) {
+    int count = take_int(s, -1, 40), k;
+    size_t items = count > 0 && count <= 40 ? (size_t)count : 0, stride = (size_t)take_int(s, 0, 48);
+    size_t room_for = items && stride >= items && stride <= 48 ? n * stride : 1;
+    prt_vec3 *dirs = (prt_vec3 *)room((items ? items : 1) * sizeof *dirs);
+    prt_real *x = (prt_real *)room((items + 1) * sizeof *x), *y = (prt_real *)room((items + 1) * sizeof *y);
+    prt_real *z = (prt_real *)room((items + 1) * sizeof *z);
+    for (k = 0; k < (int)items; k++) { dirs[k] = take_direction(s); x[k] = dirs[k].x; y[k] = dirs[k].y; z[k] = dirs[k].z; }
+    if (count > 40) count = -count;
+    switch (take(s) % 6) {
+        case 0: CHECK(prt_sh_eval(bands, take_direction(s), out(s, n))); break;
+        case 1: CHECK(prt_ch_eval(bands, take_direction(s), out(s, n))); break;
+        case 2: CHECK(prt_sh_eval_n(bands, count, dirs, out(s, items * n))); break;
+        case 3: CHECK(prt_ch_eval_n(bands, count, dirs, out(s, items * n))); break;
+        case 4: if (stride <= 48 || !items) CHECK(prt_sh_eval_soa(bands, count, x, y, z, out(s, room_for), stride)); break;
+        default: if (stride <= 48 || !items) CHECK(prt_ch_eval_soa(bands, count, x, y, z, out(s, room_for), stride)); break;
+    }
+}
+
+static void project(source *s, int bands, size_t n) {
+    prt_vec3 d = take_direction(s);
+    prt_real v = take_real(s), w = take_real(s);
+    switch (take(s) % 8) {
+        case 0: CHECK(prt_sh_add_sample(bands, d, v, reals(s, n))); break;
+        case 1: CHECK(prt_sh_delta(bands, d, out(s, n))); break;
+        case 2: CHECK(prt_sh_cone(bands, d, v, out(s, n))); break;
+        case 3: CHECK(prt_sh_sphere(bands, d, v, out(s, n))); break;
+        case 4: CHECK(prt_sh_cosine_lobe(bands, d, out(s, n))); break;
+        case 5: CHECK(prt_sh_hemisphere(bands, d, v, w, out(s, n))); break;
+        case 6: {
+            int width = take_int(s, 1, 9), height = take_int(s, 1, 9), k;
+            size_t texels = width > 0 && width < 10 && height > 0 && height < 10 ? (size_t)(width * height) : 0;
+            float *rgb = (float *)room(3 * texels * sizeof *rgb);
+            for (k = 0; k < (int)(3 * texels); k++) rgb[k] = (float)take_real(s);
+            if (!texels && width > 0 && height > 0) return;      /* would need that many texels */
+            CHECK(prt_sh_project_equirect_rgb(bands, width, height, rgb, out(s, 3 * n)));
+            break;
+        }
+        default: {
+            int size = take_int(s, 1, 5), k, f;
+            const float *faces[6];
+            if (size > 5) size = -size;
+            for (f = 0; f < 6; f++) {
+                size_t texels = size > 0 ? (size_t)(size * size) : 0;
+                float *rgb = (float *)room(3 * texels * sizeof *rgb);
+                for (k = 0; k < (int)(3 * texels); k++) rgb[k] = (float)take_real(s);
+                faces[f] = take(s) == 255 ? NULL : rgb;
+            }
+            CHECK(prt_sh_project_cubemap_rgb(bands, size, faces, out(s, 3 * n)));
+        }
+    }
+}
+
+static void transform(source *s, int bands, size_t n) {
+    const prt_real *f = maybe(s, reals(s, n));
+    int window = take_int(s, -1, 4), width = take_int(s, 0, 16), from = take_int(s, -1, 9), to = take_int(s, -1, 9);
+    switch (take(s) % 12) {
+        case 0: CHECK(prt_sh_convolve(bands, f, reals(s, n), out(s, n))); break;
+        case 1: CHECK(prt_sh_irradiance(bands, f, out(s, n))); break;
+        case 2: CHECK(prt_sh_convert(bands, (prt_sh_convention)from, (prt_sh_convention)to, f, out(s, n))); break;
+        case 3: CHECK(prt_sh_window(bands, (prt_window)window, width, f, out(s, n))); break;
+        case 4: CHECK(prt_ch_from_sh(bands, f, out(s, n))); break;
+        case 5: CHECK(prt_sh_from_ch(bands, f, out(s, n))); break;
+        case 6: CHECK(prt_ch_from_moments(bands, f, out(s, n))); break;
+        case 7: CHECK(prt_ch_to_moments(bands, f, out(s, n))); break;
+        case 8: CHECK(prt_sh_pack_irradiance(bands, reals(s, 3 * n), out(s, 28))); break;
+        case 9: CHECK(prt_sh_unpack_irradiance(reals(s, 28), out(s, 27))); break;
+        case 10: {
+            int axes[3], k;
+            for (k = 0; k < 3; k++) axes[k] = take_int(s, -3, 3);
+            CHECK(prt_sh_map_axes(bands, axes, f, out(s, n)));
+            break;
+        }
+        default: {
+            char names[2][4];
+            int k;
+            for (k = 0; k < 6; k++) names[k / 3][k % 3] = "RLUDFBx"[take(s) % 7];
+            names[0][3] = names[1][3] = 0;
+            CHECK(prt_sh_convert_axes(bands, names[0], names[1], f, out(s, n)));
+        }
+    }
+}
+
+static void rotate(source *s, int bands, size_t n) {
+    prt_real rotation[9];
+    size_t blocks = prt_sh_rotation_count(bands);
+    int count = take_int(s, -1, 6), k;
+    size_t items = count > 0 && count <= 6 ? (size_t)count : 0, stride = (size_t)take_int(s, 0, 8);
+    if (count > 6) count = -count;
+    for (k = 0; k < 9; k++) rotation[k] = take_real(s);
+    if (take(s) < 200) {
+        prt_real q[4];
+        for (k = 0; k < 4; k++) q[k] = take_real(s);
+        (void)prt_rotation_from_quaternion(q, rotation);
+    }
+    switch (take(s) % 5) {
+        case 0: CHECK(prt_sh_rotation(bands, rotation, out(s, blocks))); break;
+        case 1: CHECK(prt_sh_rotate_by(bands, reals(s, blocks), maybe(s, reals(s, n)), out(s, n))); break;
+        case 2: CHECK(prt_sh_rotate_by_n(bands, reals(s, blocks), count, reals(s, items * n), out(s, items * n))); break;
+        case 3: CHECK(prt_sh_rotate_by_n_rgb(bands, reals(s, blocks), count, reals(s, 3 * items * n), out(s, 3 * items * n)));
+                break;
+        default: {
+            size_t size = items && stride >= items && stride <= 8 ? n * stride : 1;
+            if (stride > 8 && items) return;
+            CHECK(prt_sh_rotate_by_soa(bands, reals(s, blocks), count, reals(s, size), out(s, size), stride));
+        }
+    }
+}
+
+static void shade(source *s, int bands, size_t n) {
+    int count = take_int(s, -1, 9);
+    size_t items = count > 0 && count <= 9 ? (size_t)count : 0;
+    if (count > 9) count = -count;
+    CHECK(prt_shade_diffuse_n(bands, count, reals(s, items * n), maybe(s, reals(s, 3 * n)), (prt_rgb *)out(s, 3 * items)));
+}
+
+static void values(source *s, int bands, size_t n) {         /* functions that return a value: they only must return */
+    const prt_real *f = maybe(s, reals(s, n)), *g = maybe(s, reals(s, n));
+    volatile double sink;
+    sink = (double)prt_sh_at(bands, f, take_direction(s));
+    sink = (double)prt_ch_at(bands, f, take_direction(s));
+    sink = (double)prt_sh_dot(bands, f, g);
+    sink = (double)prt_ch_dot(bands, f, g);
+    sink = (double)prt_window_weight((prt_window)take_int(s, -1, 4), take_int(s, -2, 20), take_int(s, -2, 20));
+    sink = prt_ch_norm(take_int(s, -2, 90), take_int(s, -90, 90));
+    if (take(s) < 8) sink = prt_sh_triple(take_int(s, -1, 12), take_int(s, -12, 12), take_int(s, -1, 12), take_int(s, -12, 12),
+                                          take_int(s, -1, 12), take_int(s, -12, 12));
+    (void)sink;
+    if (!prt_result_string((prt_result)take_int(s, -1, 12))) abort();
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+    source s;
+    int bands, k;
+    size_t n;
+    s.at = data;
+    s.end = data + size;
+    bands = take_int(&s, 0, PRT_MAX_BANDS + 1);
+    n = bands >= 1 && bands <= PRT_MAX_BANDS ? (size_t)PRT_SH_COUNT(bands) : 1;
+    taken_count = 0;
+    output_count = 0;
+    switch (take(&s) % 6) {
+        case 0: evaluate(&s, bands, n); break;
+        case 1: project(&s, bands, n); break;
+        case 2: transform(&s, bands, n); break;
+        case 3: rotate(&s, bands, n); break;
+        case 4: shade(&s, bands, n); break;
+        default: values(&s, bands, n); break;
+    }
+    for (k = 0; k < taken_count; k++) free(taken[k]);
+    return 0;
+}
