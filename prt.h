@@ -288,9 +288,8 @@ PRTDEF prt_result prt_sh_irradiance(int bands, const prt_real *radiance, prt_rea
 
 /* Coefficients of other programs. A convention says which function the numbers stand for, as a polynomial in the
    components (x, y, z) of a direction, whatever that program calls its axes; if the axes differ too (y up, say), call
-   prt_sh_convert_axes as well, in either order for all conventions but PRT_CONVENTION_UNITY and ..FILAMENT_IRRADIANCE
-   (those first to PRT_CONVENTION_PRT). All of them index coefficient (l,m) at l(l+1)+m. docs/conventions.md has the
-   table, file by file, and the traps. */
+   prt_sh_convert_axes as well, on coefficients of PRT_CONVENTION_PRT, as every function here expects them. All
+   conventions index coefficient (l,m) at l(l+1)+m. docs/conventions.md has the table, file by file, and the traps. */
 typedef enum prt_sh_convention {
     PRT_CONVENTION_PRT = 0,             /* this header */
     PRT_CONVENTION_THREEJS,             /* SphericalHarmonics3, LightProbe: radiance, the same numbers as here */
@@ -336,7 +335,7 @@ PRTDEF prt_result prt_sh_unpack_irradiance(const prt_real constants[28], prt_rea
 PRTDEF prt_result prt_axes_map(const char *from, const char *to, int axes[3]);
 /* The mapped vector; the zero vector if axes is NULL or not a signed permutation of 1, 2, 3. */
 PRTDEF prt_vec3   prt_map_axes(const int axes[3], prt_vec3 v);
-/* The same function in the other world: g(prt_map_axes(axes, v)) = f(v) for every v, exactly a rotation or reflection
+/* The same function in the other world: g(prt_map_axes(axes, v)) = f(v) for every v; a rotation or reflection
    by quarter turns. axes = {-1,-2,-3} turns every direction round (a splat's colour is a function of the direction
    from the eye, exit radiance of the direction to it). f and out hold bands^2 coefficients; may alias.
    Permutes and negates coefficients where z stays on its axis; otherwise it applies one swap of y and z, whose matrix
@@ -438,8 +437,8 @@ PRTDEF double prt_sh_triple(int l1, int m1, int l2, int m2, int l3, int m3);
      a = S^-T f_SH,   moments = S f_SH,   int f g = a_f . moments_g,   rotation a' = S^-T R S^T a.
    S is made row by row in double where it is needed, about n^3/12 square roots and divisions a conversion, no table. */
 
-/* A(l,m), with sqrt 2 folded in for m != 0 as in the thesis' table; the sign of m does not matter. 0 unless |m| <= l < 65536.
-   Closed form for every l and m, an open point of the thesis: A = K(l,m) / (t(l,0) sqrt H(l,m)), where t and H are the
+/* A(l,m), with sqrt 2 folded in for m != 0 as in the thesis' table; the sign of m does not matter. 0 unless
+   |m| <= l < 65536. Closed form for every l and m, an open point of the thesis: A = K(l,m) / (t(l,0) sqrt H(l,m)), where t and H are the
    expansion of T_l in Legendre polynomials. Relative error 2.3e-16 to l = 64 (tests/test_ch.c); underflows to 0 from
    about l = m = 150. Cost: O(l) multiplications and divisions. */
 PRTDEF double prt_ch_norm(int l, int m);

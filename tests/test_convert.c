@@ -497,6 +497,25 @@ static void up_stays_up(void **state) {
     }
 }
 
+/* From everyone's world and signs into ours and back: what a splat shows along v, prt.h shows along the mapped v. */
+static void signs_and_axes_together(void **state) {
+    int k;
+    (void)state;
+    for (k = 0; k < 100; k++) {
+        prt_real theirs[25], ours[25], back[25];
+        prt_vec3 v = random_direction();
+        int axes[3], i;
+        random_vector(25, theirs);
+        assert_int_equal(prt_axes_map(PRT_AXES_OPENCV, PRT_AXES_BLENDER, axes), PRT_OK);
+        assert_int_equal(prt_sh_convert(5, PRT_CONVENTION_SPLAT, PRT_CONVENTION_PRT, theirs, ours), PRT_OK);
+        assert_int_equal(prt_sh_convert_axes(5, PRT_AXES_OPENCV, PRT_AXES_BLENDER, ours, ours), PRT_OK);
+        assert_near(prt_sh_at(5, ours, prt_map_axes(axes, v)), owners_sum(&owners[4], theirs, v), sum_tolerance(0));
+        assert_int_equal(prt_sh_convert_axes(5, PRT_AXES_BLENDER, PRT_AXES_OPENCV, ours, back), PRT_OK);
+        assert_int_equal(prt_sh_convert(5, PRT_CONVENTION_PRT, PRT_CONVENTION_SPLAT, back, back), PRT_OK);
+        for (i = 0; i < 25; i++) assert_near(back[i], theirs[i], 4 * (double)PRT__EPS);
+    }
+}
+
 static void map_axes_refuses(void **state) {
     static const int bad[7][3] = { { 0, 1, 2 }, { 1, 1, 2 }, { 1, -1, 3 }, { 1, 2, 4 }, { -4, 2, 3 }, { 3, 3, 3 },
                                    { -2147483647 - 1, 1, 2 } };
@@ -527,7 +546,7 @@ int main(void) {
         cmocka_unit_test(shader_constants_refuse),
         cmocka_unit_test(all_48_maps_carry_the_delta_along), cmocka_unit_test(quarter_turn_entries_to_the_last_digits),
         cmocka_unit_test(a_map_and_its_inverse_cancel), cmocka_unit_test(three_letters), cmocka_unit_test(up_stays_up),
-        cmocka_unit_test(map_axes_refuses)
+        cmocka_unit_test(signs_and_axes_together), cmocka_unit_test(map_axes_refuses)
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
