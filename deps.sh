@@ -70,6 +70,7 @@ need "demo"       libosmesa6-dev           hdr GL/osmesa.h
 need "demo"       libgl1-mesa-dri          true
 need "demo"       libstb-dev               hdr stb/stb_image.h
 need "demo"       libcglm-dev              hdr cglm/cglm.h
+need "demo"       fonts-dejavu-core        test -f /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf
 need "demo"       glmark2-data             test -d /usr/share/glmark2/models
 need "test"       libcmocka-dev            pc cmocka
 need "test bench" libmpfr-dev              hdr mpfr.h

@@ -240,7 +240,7 @@ static int bake(const options *o, const mesh *m, prt_real *transfer, unsigned ch
     job.user = &s;
     job.done = done;
     job.transfer = transfer;
-    result = bake_job_run(&job, NULL);
+    result = bake_job_run(&job);
     embree_tracer_destroy(&tracer);
     if (result != PRT_OK && result != PRT_ERR_CANCELLED) return why_set(w, "bake: %s", prt_result_string(result));
     if (transfer_file_save(path, &info, done, transfer, w)) return -1;

@@ -116,13 +116,12 @@ static prt_result run_threads(shared_job *s, progress *p, unsigned char *snapsho
     return s->result;
 }
 
-prt_result bake_job_run(bake_job *job, double *seconds) {
+prt_result bake_job_run(bake_job *job) {
     size_t count = (size_t)job->point_count;
     unsigned char *before = (unsigned char *)malloc(2 * count + 1);
     shared_job s;
     progress p;
     prt_result result;
-    double took;
     int i;
     if (!before) return PRT_ERR_MEMORY;
     memcpy(before, job->done, count);
@@ -134,8 +133,7 @@ prt_result bake_job_run(bake_job *job, double *seconds) {
     pthread_cond_init(&s.changed, NULL);
     progress_start(&p, job->what, job->point_count, s.finished, "rays", job->desc.samples);
     result = run_threads(&s, &p, before + count);
-    took = job->what ? progress_end(&p, s.finished) : seconds_now() - p.started;
-    if (seconds) *seconds = took;
+    if (job->what) progress_end(&p, s.finished);
     if (result == PRT_ERR_CANCELLED && s.finished == job->point_count) result = PRT_OK;
     pthread_cond_destroy(&s.changed);
     pthread_mutex_destroy(&s.lock);

@@ -25,9 +25,8 @@ typedef struct bake_job {
     prt_real         *transfer;        /* [point_count][bands^2] in and out */
 } bake_job;
 
-/* PRT_OK: every point is finished; PRT_ERR_CANCELLED: stopped, what is done is marked; else why it failed.
-   seconds, if not NULL, receives the wall time. */
-prt_result bake_job_run(bake_job *job, double *seconds);
+/* PRT_OK: every point is finished; PRT_ERR_CANCELLED: stopped, what is done is marked; else why it failed. */
+prt_result bake_job_run(bake_job *job);
 
 int processor_count(void);
 

@@ -7,11 +7,14 @@
 
 enum { BAR = 24 };
 
-double seconds_now(void) {
+static double read_clock(clockid_t clock) {
     struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
+    clock_gettime(clock, &t);
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
+
+double seconds_now(void) { return read_clock(CLOCK_MONOTONIC); }
+double processor_seconds(void) { return read_clock(CLOCK_PROCESS_CPUTIME_ID); }
 
 void progress_start(progress *p, const char *what, double total, double already, const char *unit,
                     double unit_per_step) {
@@ -62,11 +65,10 @@ void progress_show(progress *p, double done) {
     end_line(p);
 }
 
-double progress_end(progress *p, double done) {
+void progress_end(progress *p, double done) {
     double seconds = seconds_now() - p->started;
     print_line(p, done, seconds);
     fprintf(stderr, ", took %.1f s", seconds);
     end_line(p);
     if (p->terminal) fputc('\n', stderr);
-    return seconds;
 }

@@ -12,11 +12,11 @@ typedef struct progress {
 } progress;
 
 double seconds_now(void);              /* monotonic clock */
+double processor_seconds(void);        /* of all threads of this process: what other programs do does not count */
 
 void progress_start(progress *p, const char *what, double total, double already, const char *unit,
                     double unit_per_step);
 void progress_show(progress *p, double done);
-/* The last line, and the seconds since the start. */
-double progress_end(progress *p, double done);
+void progress_end(progress *p, double done);
 
 #endif

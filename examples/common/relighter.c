@@ -243,9 +243,9 @@ int relighter_draw(relighter *r, const camera *c, const prt_real *light, double 
     gl.ClearBufferfv(GL_COLOR, 0, black);
     gl.ClearBufferfv(GL_DEPTH, 0, &far_away);
     if (r->environment) draw_background(r, c);
-    before = seconds_now();
+    before = processor_seconds();
     draw_mesh(r, c, light, albedo);
-    if (seconds) *seconds = seconds_now() - before;
+    if (seconds) *seconds = processor_seconds() - before;
     if (out) read_back(r, out);
     return gl_check("drawing", w);
 }

@@ -30,8 +30,8 @@ int  relighter_set_transfer(relighter *r, int bands, int point_count, const prt_
 int  relighter_set_environment(relighter *r, const image *environment, why *w);
 
 /* Draws under light[3][bands^2] with a grey albedo. out (created by the caller with r's width and height) receives the
-   radiance, alpha 1 on the mesh and 0 on the background; NULL: only draws. seconds, if not NULL: the time of the mesh
-   pass, finished, light upload included, background and reading back excluded. */
+   radiance, alpha 1 on the mesh and 0 on the background; NULL: only draws. seconds, if not NULL: the
+   processor time of the mesh pass, light upload included, background and reading back excluded. */
 int  relighter_draw(relighter *r, const camera *c, const prt_real *light, double albedo, picture *out, double *seconds,
                     why *w);
 
