@@ -1,7 +1,7 @@
 /* relight: bake a mesh once, then light it with any environment map.
 
-   Reads a mesh and Radiance .hdr (or .pfm) environments; bakes shadowed diffuse transfer at the vertices with Embree, on
-   all processors, into DIR/<mesh>.prt; draws one picture an environment with OpenGL (headless) into
+   Reads a mesh and Radiance .hdr (or .pfm) environments; bakes shadowed diffuse transfer at the vertices with Embree,
+   on all processors, into DIR/<mesh>.prt; draws one picture an environment with OpenGL (headless) into
    DIR/<mesh>-<environment>.png. An interrupted bake keeps what it has and goes on with --resume. */
 #define _POSIX_C_SOURCE 200809L
 #define PRT_IMPLEMENTATION

@@ -81,7 +81,7 @@ static void *work(void *user) {
     return NULL;
 }
 
-/* Waits for the threads; meanwhile shows progress and makes checkpoints. Holds the lock but while it sleeps or saves. */
+/* Waits for the threads, shows progress, makes checkpoints. Holds the lock but while it sleeps or saves. */
 static void watch(shared_job *s, progress *p, unsigned char *snapshot) {
     bake_job *job = s->job;
     double saved = seconds_now();

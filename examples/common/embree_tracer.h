@@ -7,7 +7,7 @@
 
 typedef struct embree_tracer {
     void       *device, *scene;        /* RTCDevice, RTCScene */
-    prt_tracer tracer;                 /* hand &tracer to a bake; its user pointer is this struct, which must not move */
+    prt_tracer tracer;                 /* hand &tracer to a bake; it points back to this struct, which must stay */
 } embree_tracer;
 
 int  embree_tracer_create(embree_tracer *t, why *w);

@@ -12,7 +12,7 @@ typedef struct raw_mesh {
     uint32_t *triangles;
 } raw_mesh;
 
-/* The whole scene in one mesh of at least one triangle. Call it while the program has a single thread. 0, or -1 and w. */
+/* The whole scene in one mesh of at least one triangle. Call it while the program has one thread. 0, or -1 and w. */
 int  raw_mesh_import(const char *path, raw_mesh *m, why *w);
 void raw_mesh_free(raw_mesh *m);
 

@@ -17,7 +17,8 @@ int osmesa_context_create(osmesa_context *c, why *w) {
     };
     memset(c, 0, sizeof *c);
     c->context = OSMesaCreateContextAttribs(attributes, NULL);
-    if (!c->context) return why_set(w, "OSMesa: no OpenGL 4.5 core context: is GALLIUM_DRIVER set to another than llvmpipe?");
+    if (!c->context)
+        return why_set(w, "OSMesa: no OpenGL 4.5 core context: is GALLIUM_DRIVER set to another than llvmpipe?");
     c->pixels = calloc(16 * 16, 4);                        /* OSMesa insists on a picture; nothing is drawn there */
     if (!c->pixels || !OSMesaMakeCurrent((OSMesaContext)c->context, c->pixels, GL_UNSIGNED_BYTE, 16, 16)) {
         osmesa_context_destroy(c);

@@ -1,5 +1,5 @@
-/* progress: one line about long work: how far, how fast, how long still. On a terminal the line is rewritten a few times
-   a second; elsewhere (a log, a pipe) a new line appears at most every ten seconds. Goes to stderr. */
+/* progress: one line about long work: how far, how fast, how long still. On a terminal the line is rewritten a few
+   times a second; elsewhere (a log, a pipe) a new line appears at most every ten seconds. Goes to stderr. */
 #ifndef EXAMPLES_PROGRESS_H
 #define EXAMPLES_PROGRESS_H
 

@@ -101,7 +101,8 @@ int relighter_create(relighter *r, const mesh *m, int width, int height, why *w)
     GLint most = 0;
     memset(r, 0, sizeof *r);
     gl.GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &most);
-    if (width > most || height > most) return why_set(w, "OpenGL: a picture of %d x %d samples is too large", width, height);
+    if (width > most || height > most)
+        return why_set(w, "OpenGL: a picture of %d x %d samples is too large", width, height);
     r->width = width;
     r->height = height;
     gl.CreateVertexArrays(1, &r->no_attributes);
@@ -201,7 +202,8 @@ static void upload_light(const relighter *r, const prt_real *light) {
     int count = PRT_SH_COUNT(r->bands), padded = 4 * chunks_of(r->bands), c, i;
     for (c = 0; c < 3; c++) {
         for (i = 0; i < padded; i++) fours[i] = i < count ? (float)light[c * count + i] : 0;
-        gl.NamedBufferSubData(r->light, c * padded * (GLintptr)sizeof *fours, padded * (GLsizeiptr)sizeof *fours, fours);
+        gl.NamedBufferSubData(r->light, c * padded * (GLintptr)sizeof *fours, padded * (GLsizeiptr)sizeof *fours,
+                              fours);
     }
 }
 

@@ -1,7 +1,7 @@
 /* relighter: draws a mesh with baked transfer under SH light through OpenGL, before an environment map.
 
-   The fragment shader interpolates the transfer of the triangle's three corners and takes its dot product with the light,
-   so that nothing but the light changes when the light changes. Values stay linear float radiance. */
+   The fragment shader interpolates the transfer of the triangle's three corners and takes its dot product with the
+   light, so that nothing but the light changes when the light changes. Values stay linear float radiance. */
 #ifndef EXAMPLES_RELIGHTER_H
 #define EXAMPLES_RELIGHTER_H
 

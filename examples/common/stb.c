@@ -1,4 +1,4 @@
-/* The two stb libraries, as small as they get: Radiance .hdr in, PNG out, no dimension beyond what an image can have. */
+/* The stb libraries, as small as they get: Radiance .hdr in, PNG out, TrueType. */
 #define STB_IMAGE_IMPLEMENTATION
 #define STBI_ONLY_HDR
 #define STBI_MAX_DIMENSIONS 32768

@@ -1,0 +1,362 @@
+#define _POSIX_C_SOURCE 200809L
+#include "reference.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "progress.h"
+
+static const float rest_alpha = 0.5f, object_alpha = 1;
+
+/* ---- environments ---- */
+
+static double luminance_at(const image *map, size_t texel) {
+    const float *v = map->rgb + 3 * texel;
+    return 0.2126 * (double)v[0] + 0.7152 * (double)v[1] + 0.0722 * (double)v[2];
+}
+
+static int environment_tabulate(environment *e, why *w) {
+    const double pi = 3.14159265358979323846;
+    size_t width = (size_t)e->map.width, count = width * (size_t)e->map.height, k;
+    double sum = 0;
+    e->cumulative = (double *)malloc((count + 1) * sizeof *e->cumulative);
+    if (!e->cumulative) return why_set(w, "out of memory");
+    for (k = 0; k < count; k++) {
+        double row = (double)(k / width);
+        double height = cos(pi * row / e->map.height) - cos(pi * (row + 1) / e->map.height);
+        e->cumulative[k] = sum;
+        sum += luminance_at(&e->map, k) * height * 2 * pi / e->map.width;
+    }
+    if (!(sum > 0)) return why_set(w, "%s: the environment is black", e->name);
+    e->cumulative[count] = sum;
+    for (k = 0; k <= count; k++) e->cumulative[k] /= sum;
+    e->scale = 1 / sum;
+    return 0;
+}
+
+static void turn_map(image *map, double turn) {
+    int shift = (int)(turn * map->width + 0.5) % map->width, y, x;
+    float *row = (float *)malloc(3 * sizeof(float) * (size_t)map->width);
+    if (!row) return;
+    for (y = 0; y < map->height; y++) {
+        float *in = map->rgb + 3 * (size_t)map->width * (size_t)y;
+        for (x = 0; x < map->width; x++) memcpy(row + 3 * ((x + shift) % map->width), in + 3 * x, 3 * sizeof(float));
+        memcpy(in, row, 3 * sizeof(float) * (size_t)map->width);
+    }
+    free(row);
+}
+
+int environment_load(const char *directory, const char *file, double turn, environment *e, why *w) {
+    char path[1024];
+    snprintf(path, sizeof path, "%s/%s", directory, file);
+    snprintf(e->name, sizeof e->name, "%.*s", (int)strcspn(file, "."), file);
+    if (image_load_environment(path, &e->map, w)) return -1;
+    turn_map(&e->map, turn);
+    if (prt_sh_project_equirect_rgb(REFERENCE_BANDS, e->map.width, e->map.height, e->map.rgb, e->light) != PRT_OK)
+        return why_set(w, "%s: cannot be projected", path);
+    return environment_tabulate(e, w);
+}
+
+void environment_free(environment *e) {
+    image_free(&e->map);
+    free(e->cumulative);
+    e->cumulative = NULL;
+}
+
+void environment_light(const environment *e, int bands, prt_real *light) {
+    size_t count = (size_t)PRT_SH_COUNT(bands), c;
+    for (c = 0; c < 3; c++) memcpy(light + c * count, e->light + c * REFERENCE_COEFFICIENTS, count * sizeof *light);
+}
+
+static size_t texel_of(const image *map, prt_vec3 d) {
+    const double pi = 3.14159265358979323846;
+    double phi = atan2((double)d.y, (double)d.x);
+    int x = (int)((phi < 0 ? phi + 2 * pi : phi) / (2 * pi) * map->width);
+    int y = (int)(acos(d.z > 1 ? 1 : d.z < -1 ? -1 : (double)d.z) / pi * map->height);
+    if (x >= map->width) x = map->width - 1;
+    if (y >= map->height) y = map->height - 1;
+    return (size_t)y * (size_t)map->width + (size_t)x;
+}
+
+/* A direction with density luminance * scale: u chooses the texel and the place across it, v the place down it. */
+static prt_vec3 environment_sample(const environment *e, double u, double v, size_t *texel) {
+    const double pi = 3.14159265358979323846;
+    size_t low = 0, high = (size_t)e->map.width * (size_t)e->map.height;
+    double top, bottom, z, across, phi, r;
+    prt_vec3 d;
+    while (high - low > 1) {
+        size_t middle = (low + high) / 2;
+        if (e->cumulative[middle] <= u) low = middle; else high = middle;
+    }
+    across = (u - e->cumulative[low]) / (e->cumulative[low + 1] - e->cumulative[low]);
+    top = cos(pi * (double)(low / (size_t)e->map.width) / e->map.height);
+    bottom = cos(pi * (double)(low / (size_t)e->map.width + 1) / e->map.height);
+    z = top + v * (bottom - top);
+    phi = 2 * pi * ((double)(low % (size_t)e->map.width) + across) / e->map.width;
+    r = sqrt(z * z < 1 ? 1 - z * z : 0);
+    d.x = (prt_real)(r * cos(phi));
+    d.y = (prt_real)(r * sin(phi));
+    d.z = (prt_real)z;
+    *texel = low;
+    return d;
+}
+
+/* ---- rays ---- */
+
+typedef struct sample_rays {           /* the shadow rays of one sample, with scratch for their results */
+    prt_vec3      cosine[REFERENCE_COSINE_RAYS], light[REFERENCE_LIGHT_RAYS];
+    size_t        texel[REFERENCE_LIGHT_RAYS];
+    prt_real      u[REFERENCE_LIGHT_RAYS], v[REFERENCE_LIGHT_RAYS];
+    prt_ray       rays[REFERENCE_COSINE_RAYS];
+    unsigned char blocked[REFERENCE_COSINE_RAYS];
+    prt_real      x[REFERENCE_COSINE_RAYS], y[REFERENCE_COSINE_RAYS], z[REFERENCE_COSINE_RAYS];
+    prt_real      basis[REFERENCE_COEFFICIENTS * REFERENCE_COSINE_RAYS];
+} sample_rays;
+
+static double dot3(prt_vec3 a, prt_vec3 b) {
+    return (double)a.x * (double)b.x + (double)a.y * (double)b.y + (double)a.z * (double)b.z;
+}
+
+static int trace(const reference *r, const prt_point *at, int count, const prt_vec3 *dirs, sample_rays *s) {
+    int k;
+    for (k = 0; k < count; k++) {
+        s->rays[k].origin.x = at->position.x + r->bias * at->normal.x;
+        s->rays[k].origin.y = at->position.y + r->bias * at->normal.y;
+        s->rays[k].origin.z = at->position.z + r->bias * at->normal.z;
+        s->rays[k].dir = dirs[k];
+        s->rays[k].tmin = 0;
+        s->rays[k].tmax = (prt_real)1e6;
+        s->blocked[k] = 0;
+    }
+    return r->tracer->occluded(r->tracer->user, count, s->rays, s->blocked);
+}
+
+/* One open ray's share under the balance heuristic [Veach 1995]: cos/pi L / (n_cosine p_cosine + n_light p_light). */
+static void add_ray(const environment *e, size_t texel, double cosine, double sum[3]) {
+    double over_pi = cosine / 3.14159265358979323846;
+    double density = REFERENCE_COSINE_RAYS * over_pi + REFERENCE_LIGHT_RAYS * luminance_at(&e->map, texel) * e->scale;
+    int c;
+    if (!(density > 0)) return;
+    for (c = 0; c < 3; c++) sum[c] += (double)e->map.rgb[3 * texel + (size_t)c] * over_pi / density;
+}
+
+static void store(picture *p, size_t at, const double sum[3], float alpha) {
+    int c;
+    for (c = 0; c < 3; c++) p->rgba[4 * at + (size_t)c] = (float)sum[c];
+    p->rgba[4 * at + 3] = alpha;
+}
+
+/* Transfer of this one sample from its open cosine rays, dotted with the light of every environment and band count. */
+static void store_floor(const reference *r, reference_half *t, size_t at, sample_rays *s) {
+    prt_real transfer[REFERENCE_COEFFICIENTS], light[3 * REFERENCE_COEFFICIENTS];
+    prt_rgb out;
+    int open = 0, e, b, i, k;
+    for (k = 0; k < REFERENCE_COSINE_RAYS; k++) {
+        if (s->blocked[k]) continue;
+        s->x[open] = s->cosine[k].x; s->y[open] = s->cosine[k].y; s->z[open] = s->cosine[k].z;
+        open++;
+    }
+    prt_sh_eval_soa(REFERENCE_BANDS, open, s->x, s->y, s->z, s->basis, REFERENCE_COSINE_RAYS);
+    for (i = 0; i < REFERENCE_COEFFICIENTS; i++) {
+        prt_real sum = 0;
+        for (k = 0; k < open; k++) sum += s->basis[i * REFERENCE_COSINE_RAYS + k];
+        transfer[i] = sum / REFERENCE_COSINE_RAYS;
+    }
+    for (e = 0; e < REFERENCE_LIGHTS; e++) {
+        for (b = 0; b < REFERENCE_BAND_COUNTS; b++) {
+            double sum[3];
+            environment_light(&r->environments[e], reference_bands[b], light);
+            prt_shade_diffuse(reference_bands[b], transfer, light, &out);
+            sum[0] = (double)out.r; sum[1] = (double)out.g; sum[2] = (double)out.b;
+            store(&t->floor[e][b], at, sum, object_alpha);
+        }
+    }
+}
+
+static int shade_sample(reference *r, int half, size_t at, const prt_point *point, float alpha, sample_rays *s) {
+    reference_half *t = &r->halves[half];
+    double sum[REFERENCE_LIGHTS][3] = { { 0 } };
+    uint64_t seed = (uint64_t)half + 1;
+    int e, k;
+    prt_sample_directions(REFERENCE_COSINE_RAYS, seed, at, point->normal, 0, REFERENCE_COSINE_RAYS, s->cosine);
+    if (trace(r, point, REFERENCE_COSINE_RAYS, s->cosine, s)) return -1;
+    store_floor(r, t, at, s);
+    for (e = 0; e < REFERENCE_LIGHTS; e++)
+        for (k = 0; k < REFERENCE_COSINE_RAYS; k++)
+            if (!s->blocked[k])
+                add_ray(&r->environments[e], texel_of(&r->environments[e].map, s->cosine[k]),
+                        dot3(s->cosine[k], point->normal), sum[e]);
+    for (e = 0; e < REFERENCE_LIGHTS; e++) {
+        int above = 0;
+        prt_sample_square(PRT_SAMPLE_SOBOL, REFERENCE_LIGHT_RAYS, seed + REFERENCE_HALVES * (uint64_t)(e + 1), at, 0,
+                          REFERENCE_LIGHT_RAYS, s->u, s->v);
+        for (k = 0; k < REFERENCE_LIGHT_RAYS; k++) {
+            s->light[above] = environment_sample(&r->environments[e], (double)s->u[k], (double)s->v[k],
+                                                 &s->texel[above]);
+            above += dot3(s->light[above], point->normal) > 0;
+        }
+        if (trace(r, point, above, s->light, s)) return -1;
+        for (k = 0; k < above; k++)
+            if (!s->blocked[k]) add_ray(&r->environments[e], s->texel[k], dot3(s->light[k], point->normal), sum[e]);
+        store(&t->reference[e], at, sum[e], alpha);
+    }
+    return 0;
+}
+
+static prt_vec3 blend(const prt_vec3 *a, const prt_vec3 *b, const prt_vec3 *c, prt_real u, prt_real v) {
+    prt_vec3 sum;
+    prt_real w = 1 - u - v;
+    sum.x = w * a->x + u * b->x + v * c->x;
+    sum.y = w * a->y + u * b->y + v * c->y;
+    sum.z = w * a->z + u * b->z + v * c->z;
+    return sum;
+}
+
+/* The place where a hit lies, with the interpolated normal of unit length that its cosine and its bias use. */
+static prt_point point_of(const mesh *m, const prt_hit *hit) {
+    const uint32_t *corner = m->triangles + 3 * (size_t)hit->primitive;
+    const prt_point *a = m->points + corner[0], *b = m->points + corner[1], *c = m->points + corner[2];
+    prt_point p;
+    prt_real length;
+    p.position = blend(&a->position, &b->position, &c->position, hit->u, hit->v);
+    p.normal = blend(&a->normal, &b->normal, &c->normal, hit->u, hit->v);
+    length = (prt_real)sqrt(dot3(p.normal, p.normal));
+    if (!(length > 0)) return *a;
+    p.normal.x /= length; p.normal.y /= length; p.normal.z /= length;
+    return p;
+}
+
+static int shade_row(reference *r, int y, prt_ray *eye_rays, prt_hit *hits, sample_rays *s) {
+    camera_frame f = camera_make_frame(&r->eye, (double)r->width / r->height);
+    int x, half;
+    for (x = 0; x < r->width; x++) {
+        double across = 2 * (x + 0.5) / r->width - 1, up = 1 - 2 * (y + 0.5) / r->height, d[3], length;
+        int k;
+        for (k = 0; k < 3; k++) d[k] = f.forward[k] + across * f.right[k] + up * f.up[k];
+        length = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+        eye_rays[x].origin = r->eye.eye;
+        eye_rays[x].dir.x = (prt_real)(d[0] / length);
+        eye_rays[x].dir.y = (prt_real)(d[1] / length);
+        eye_rays[x].dir.z = (prt_real)(d[2] / length);
+        eye_rays[x].tmin = 0;
+        eye_rays[x].tmax = (prt_real)1e6;
+    }
+    if (r->tracer->closest(r->tracer->user, r->width, eye_rays, hits)) return -1;
+    for (x = 0; x < r->width; x++) {
+        float alpha = hits[x].primitive < r->object_triangles ? object_alpha : rest_alpha;
+        prt_point p;
+        if (hits[x].object < 0) continue;
+        p = point_of(r->scene, &hits[x]);
+        for (half = 0; half < REFERENCE_HALVES; half++)
+            if (shade_sample(r, half, (size_t)y * (size_t)r->width + (size_t)x, &p, alpha, s)) return -1;
+    }
+    return 0;
+}
+
+static void *shade_rows(void *user) {
+    reference *r = (reference *)user;
+    prt_ray *rays = (prt_ray *)malloc((size_t)r->width * sizeof *rays);
+    prt_hit *hits = (prt_hit *)malloc((size_t)r->width * sizeof *hits);
+    sample_rays *s = (sample_rays *)malloc(sizeof *s);
+    int failed = !rays || !hits || !s;
+    for (;;) {
+        int row;
+        pthread_mutex_lock(&r->lock);
+        r->failed |= failed;
+        row = r->failed || *r->stop || r->next_row >= r->height ? -1 : r->next_row++;
+        pthread_mutex_unlock(&r->lock);
+        if (row < 0) break;
+        failed = shade_row(r, row, rays, hits, s);
+    }
+    free(rays);
+    free(hits);
+    free(s);
+    return NULL;
+}
+
+static int make_halves(reference *r, why *w) {
+    int half, e, b;
+    for (half = 0; half < REFERENCE_HALVES; half++) {
+        for (e = 0; e < REFERENCE_LIGHTS; e++) {
+            if (picture_create(r->width, r->height, &r->halves[half].reference[e], w)) return -1;
+            for (b = 0; b < REFERENCE_BAND_COUNTS; b++)
+                if (picture_create(r->width, r->height, &r->halves[half].floor[e][b], w)) return -1;
+        }
+    }
+    return 0;
+}
+
+void reference_free(reference *r) {
+    int half, e, b;
+    for (half = 0; half < REFERENCE_HALVES; half++) {
+        for (e = 0; e < REFERENCE_LIGHTS; e++) {
+            picture_free(&r->halves[half].reference[e]);
+            for (b = 0; b < REFERENCE_BAND_COUNTS; b++) picture_free(&r->halves[half].floor[e][b]);
+        }
+    }
+}
+
+int reference_trace(reference *r, why *w) {
+    pthread_t thread[256];
+    progress p;
+    int started = 0, row = 0;
+    if (make_halves(r, w)) return -1;
+    pthread_mutex_init(&r->lock, NULL);
+    progress_start(&p, "reference", r->height, 0, "rows", 1);
+    while (started < r->threads && started < 256 && pthread_create(&thread[started], NULL, shade_rows, r) == 0)
+        started++;
+    while (started > 0 && row < r->height) {
+        const struct timespec pause = { 0, 100000000 };
+        nanosleep(&pause, NULL);
+        pthread_mutex_lock(&r->lock);
+        row = r->failed || *r->stop ? r->height : r->next_row;
+        progress_show(&p, r->next_row);
+        pthread_mutex_unlock(&r->lock);
+    }
+    r->failed |= started == 0;
+    while (started > 0) pthread_join(thread[--started], NULL);
+    progress_end(&p, r->next_row);
+    pthread_mutex_destroy(&r->lock);
+    return r->failed ? why_set(w, "the reference could not be traced") : 0;
+}
+
+/* ---- figures ---- */
+
+/* A pixel's radiance, as the screen would show it: the mean over its samples, none below 0. -1: a sample's alpha is
+   below `least`. */
+static int pixel_of(const picture *p, int x, int y, int per_pixel, float least, double rgb[3]) {
+    int i, j, c;
+    rgb[0] = rgb[1] = rgb[2] = 0;
+    for (j = 0; j < per_pixel; j++) {
+        for (i = 0; i < per_pixel; i++) {
+            const float *s = p->rgba + 4 * ((size_t)(y * per_pixel + j) * (size_t)p->width +
+                                            (size_t)(x * per_pixel + i));
+            if (s[3] < least) return -1;
+            for (c = 0; c < 3; c++) rgb[c] += (s[c] > 0 ? (double)s[c] : 0) / (per_pixel * per_pixel);
+        }
+    }
+    return 0;
+}
+
+double reference_error(const picture *a0, const picture *a1, const picture *b0, const picture *b1, int per_pixel,
+                       float least) {
+    double products = 0, sum = 0, va0[3], va1[3], vb0[3], vb1[3];
+    int x, y, c;
+    double count = 0;
+    for (y = 0; y < a0->height / per_pixel; y++) {
+        for (x = 0; x < a0->width / per_pixel; x++) {
+            if (pixel_of(b0, x, y, per_pixel, least, vb0) || pixel_of(b1, x, y, per_pixel, least, vb1) ||
+                pixel_of(a0, x, y, per_pixel, rest_alpha, va0) || pixel_of(a1, x, y, per_pixel, rest_alpha, va1))
+                continue;
+            for (c = 0; c < 3; c++) {
+                products += (va0[c] - vb0[c]) * (va1[c] - vb1[c]);
+                sum += 0.5 * (vb0[c] + vb1[c]);
+            }
+            count += 3;
+        }
+    }
+    return sum > 0 && products > 0 ? sqrt(products / count) / (sum / count) : 0;
+}

@@ -1,0 +1,69 @@
+/* reference: the same pictures without precomputation. Direct light on white diffuse surfaces by Monte Carlo ray
+   tracing, and beside it, from the same rays, pictures whose every sample has transfer of its own: what so many bands
+   can do. */
+#ifndef EXAMPLES_REFERENCE_H
+#define EXAMPLES_REFERENCE_H
+
+#include <pthread.h>
+#include <signal.h>
+
+#include "camera.h"
+#include "image.h"
+#include "mesh.h"
+
+enum {
+    REFERENCE_LIGHTS = 3, REFERENCE_BAND_COUNTS = 3, REFERENCE_HALVES = 2,
+    REFERENCE_BANDS = 8, REFERENCE_COEFFICIENTS = REFERENCE_BANDS * REFERENCE_BANDS,
+    REFERENCE_COSINE_RAYS = 512,       /* a sample and half, shared by the environments */
+    REFERENCE_LIGHT_RAYS = 256         /* the same, towards the light of each environment */
+};
+
+static const int reference_bands[REFERENCE_BAND_COUNTS] = { 3, 5, 8 };
+
+/* An environment map with what it takes to shade from it and to sample it. */
+typedef struct environment {
+    char     name[32];
+    image    map;
+    prt_real light[3 * REFERENCE_COEFFICIENTS];
+    double   *cumulative;              /* [texels + 1] of luminance times solid angle, 0 to 1 */
+    double   scale;                    /* density of a direction: luminance of its texel times this */
+} environment;
+
+/* Loads DIRECTORY/FILE, turned by so many turns about +z. 0, or -1 with the reason in w. */
+int  environment_load(const char *directory, const char *file, double turn, environment *e, why *w);
+void environment_free(environment *e);
+
+/* The first bands of its light: light[3][bands^2]. */
+void environment_light(const environment *e, int bands, prt_real *light);
+
+/* One of two independent halves; their mean is the picture, their difference tells its noise. alpha of a reference
+   sample is 0 on the background, 1 on the first `object_triangles` of the scene, 0.5 on the rest. */
+typedef struct reference_half {
+    picture reference[REFERENCE_LIGHTS], floor[REFERENCE_LIGHTS][REFERENCE_BAND_COUNTS];
+} reference_half;
+
+typedef struct reference {
+    const mesh            *scene;
+    int                   object_triangles;
+    const prt_tracer      *tracer;
+    const environment     *environments;                   /* [REFERENCE_LIGHTS] */
+    camera                eye;
+    prt_real              bias;        /* of shadow rays along the shading normal, as in a bake */
+    int                   width, height, threads;          /* width and height count samples */
+    volatile sig_atomic_t *stop;       /* becomes nonzero: give up */
+    reference_half        halves[REFERENCE_HALVES];
+    pthread_mutex_t       lock;        /* guards what follows */
+    int                   next_row, failed;
+} reference;
+
+/* Traces everything; everything above `halves` is the caller's to set. 0, or -1 with the reason in w. */
+int  reference_trace(reference *r, why *w);
+void reference_free(reference *r);
+
+/* The root of the mean of (a0-b0)(a1-b1) over the pixels (per_pixel x per_pixel samples) that all four cover whole, in
+   b0 with alpha of at least `least`; divided by the mean of b0 and b1 there. Colours count alike, negative radiance as
+   0. Independent noise in the two factors leaves the mean alone. */
+double reference_error(const picture *a0, const picture *a1, const picture *b0, const picture *b1, int per_pixel,
+                       float least);
+
+#endif
