@@ -80,6 +80,68 @@ int mesh_fit_unit_sphere(mesh *m, why *w) {
     return 0;
 }
 
+/* The edge's key, smaller vertex first, and which corner of which triangle it belongs to. */
+typedef struct edge { uint64_t key; uint32_t place; } edge;
+
+static int by_key(const void *a, const void *b) {
+    uint64_t x = ((const edge *)a)->key, y = ((const edge *)b)->key;
+    return x < y ? -1 : x > y;
+}
+
+static prt_point middle_of(const prt_point *a, const prt_point *b) {
+    prt_point p;
+    prt_real length;
+    p.position.x = (a->position.x + b->position.x) / 2;
+    p.position.y = (a->position.y + b->position.y) / 2;
+    p.position.z = (a->position.z + b->position.z) / 2;
+    p.normal.x = a->normal.x + b->normal.x;
+    p.normal.y = a->normal.y + b->normal.y;
+    p.normal.z = a->normal.z + b->normal.z;
+    length = (prt_real)sqrt((double)(p.normal.x * p.normal.x + p.normal.y * p.normal.y + p.normal.z * p.normal.z));
+    if (!(length > 0)) p.normal = a->normal;
+    else { p.normal.x /= length; p.normal.y /= length; p.normal.z /= length; }
+    return p;
+}
+
+int mesh_subdivide(mesh *m, why *w) {
+    size_t edges = 3 * (size_t)m->triangle_count, fresh = 0, i;
+    edge *edge_list = (edge *)malloc(edges * sizeof *edge_list);
+    uint32_t *middle = (uint32_t *)malloc(edges * sizeof *middle);
+    uint32_t *triangles = (uint32_t *)malloc(4 * edges * sizeof *triangles);
+    prt_point *points = (prt_point *)realloc(m->points, ((size_t)m->point_count + edges) * sizeof *points);
+    if (points) m->points = points;
+    if (!edge_list || !middle || !triangles || !points || edges > INT_MAX / 8) {
+        free(edge_list);
+        free(middle);
+        free(triangles);
+        return why_set(w, "out of memory for a finer mesh");
+    }
+    for (i = 0; i < edges; i++) {
+        uint32_t a = m->triangles[i], b = m->triangles[i % 3 == 2 ? i - 2 : i + 1];
+        edge_list[i].key = (uint64_t)(a < b ? a : b) << 32 | (a < b ? b : a);
+        edge_list[i].place = (uint32_t)i;
+    }
+    qsort(edge_list, edges, sizeof *edge_list, by_key);
+    for (i = 0; i < edges; i++) {
+        if (i == 0 || edge_list[i].key != edge_list[i - 1].key)
+            points[(size_t)m->point_count + fresh++] = middle_of(points + (edge_list[i].key >> 32),
+                                                                 points + (uint32_t)edge_list[i].key);
+        middle[edge_list[i].place] = (uint32_t)((size_t)m->point_count + fresh - 1);
+    }
+    for (i = 0; i < edges; i += 3) {
+        const uint32_t *v = m->triangles + i, *e = middle + i;
+        const uint32_t four[12] = { v[0], e[0], e[2], e[0], v[1], e[1], e[2], e[1], v[2], e[0], e[1], e[2] };
+        memcpy(triangles + 4 * i, four, sizeof four);
+    }
+    free(edge_list);
+    free(middle);
+    free(m->triangles);
+    m->triangles = triangles;
+    m->triangle_count *= 4;
+    m->point_count += (int)fresh;
+    return 0;
+}
+
 static void set_floor_point(prt_point *point, prt_vec3 centre, double radius, double angle) {
     point->position.x = (prt_real)((double)centre.x + radius * cos(angle));
     point->position.y = (prt_real)((double)centre.y + radius * sin(angle));

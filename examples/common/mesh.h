@@ -28,6 +28,10 @@ void mesh_free(mesh *m);
    extent is refused. */
 int  mesh_fit_unit_sphere(mesh *m, why *w);
 
+/* Cuts each triangle into four at the middles of its edges, which get the normal that shading interpolates there: the
+   same surface with four times the points to bake. */
+int  mesh_subdivide(mesh *m, why *w);
+
 /* Adds a round floor under the lowest point, with normal +z: rings of neighbouring triangles, `spacing` apart. */
 int  mesh_add_floor(mesh *m, prt_vec3 centre, prt_real radius, prt_real spacing, why *w);
 
