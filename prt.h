@@ -263,15 +263,15 @@ PRTDEF prt_result prt_sh_hemisphere(int bands, prt_vec3 up, prt_real above, prt_
 /* Latitude-longitude map, row 0 at +z: texel (i,j) has its centre at theta = pi (j+1/2)/height from +z and
    phi = 2 pi (i+1/2)/width from +x towards +y, and covers (2 pi/width) (cos(pi j/height) - cos(pi (j+1)/height)).
    Any width and height. Sums over columns come first, then Legendre functions for each pair of rows.
-   Cost: width height (12 + 2n) + 1.5 height n^2 multiply-adds; every 16 bands beyond the first read the map again.
+   Cost: width height (12 + 2n) + 2.3 height n^2 multiply-adds; every 16 bands beyond the first read the map again.
    1024 x 512 at 8 bands: 2 ms on one core of a Zen 5 EPYC, SSE2, gcc -O3. */
 PRTDEF prt_result prt_sh_project_equirect_rgb(int bands, int width, int height, const float *rgb, prt_real *light);
 
 /* Cube map, faces +x -x +y -y +z -z of size x size texels, oriented as in OpenGL: row 0 is t = 0, column 0 is s = 0;
    the first texel of +x lies towards (1,1,1), of -x (-1,1,-1), +y (-1,1,-1), -y (-1,-1,1), +z (-1,1,1), -z (1,1,-1).
    Any size. The solid angle of a texel is that of two triangles [Van Oosterom 1983], exact at every size.
-   Cost: 6 size^2 (12 + 0.6 n^2) multiply-adds and half an arctangent a texel; every 16 bands beyond the first read the
-   map again. 6 x 256 x 256 at 8 bands: 3.3 ms on one core of a Zen 5 EPYC, SSE2, gcc -O3. */
+   Cost: 6 size^2 (12 + 0.6 n^2) multiply-adds and an arctangent for 12 texels; every 16 bands beyond the first read
+   the map again. 6 x 256 x 256 at 8 bands: 3.3 ms on one core of a Zen 5 EPYC, SSE2, gcc -O3. */
 PRTDEF prt_result prt_sh_project_cubemap_rgb(int bands, int size, const float *const faces[6], prt_real *light);
 
 /* Convolution with a kernel about the pole, out(w) = int f(v) k(w.v) dv: out_lm = sqrt(4 pi/(2l+1)) zonal_l f_lm
