@@ -1,6 +1,7 @@
 # The commands of the house. Each does its own set-up (deps.sh); everything is built under build/.
 BUILD  ?= build
 JOBS   ?= $(shell nproc 2>/dev/null || echo 2)
+MAKEFLAGS += --no-print-directory
 PREFIX ?= /usr/local
 FUZZ_SECONDS ?= 60
 
@@ -14,44 +15,45 @@ help:
 	@echo "make install    copy headers and CMake package to PREFIX=$(PREFIX)"
 	@echo "make clean      remove build/ and out/"
 
-configure:
-	@cmake -S . -B $(BUILD) -DPRT_TEST_VARIANTS=ON >$(BUILD).log 2>&1 || { cat $(BUILD).log; exit 1; }
-	@rm -f $(BUILD).log
+# configure DIRECTORY OPTIONS: quiet unless it fails. What needs no test library is configured without the tests.
+configure = mkdir -p $(1) && { cmake -S . -B $(1) $(2) >$(1)/configure.log 2>&1 || { cat $(1)/configure.log; exit 1; }; }
+without_tests = $(call configure,$(BUILD)/tools,-DPRT_BUILD_TESTS=OFF)
 
 test:
 	@./deps.sh test
-	@$(MAKE) --no-print-directory configure
+	@$(call configure,$(BUILD),-DPRT_TEST_VARIANTS=ON)
 	@cmake --build $(BUILD) -j$(JOBS)
 	@tests/run.sh $(BUILD) -j$(JOBS)
 
 demo:
 	@./deps.sh demo
-	@$(MAKE) --no-print-directory configure
-	@cmake --build $(BUILD) -j$(JOBS) --target demo
+	@$(without_tests)
+	@cmake --build $(BUILD)/tools -j$(JOBS) --target demo
 
 bench:
 	@./deps.sh bench
-	@$(MAKE) --no-print-directory configure
-	@cmake --build $(BUILD) -j$(JOBS) --target bench
+	@$(without_tests)
+	@cmake --build $(BUILD)/tools -j$(JOBS) --target bench
 
 docs:
 	@./deps.sh bench
-	@$(MAKE) --no-print-directory configure
-	@cmake --build $(BUILD) -j$(JOBS) --target docs
+	@$(without_tests)
+	@cmake --build $(BUILD)/tools -j$(JOBS) --target docs
 
-gen gen-check: configure
-	@cmake --build $(BUILD) -j$(JOBS) --target $@
+gen gen-check:
+	@$(without_tests)
+	@cmake --build $(BUILD)/tools -j$(JOBS) --target $@
 
 fuzz:
 	@./deps.sh fuzz
 	@tests/fuzz/run.sh $(BUILD)/fuzz $(FUZZ_SECONDS)
 
 install:
-	@cmake -S . -B $(BUILD)/install-only -DPRT_BUILD_TESTS=OFF -DPRT_BUILD_EXAMPLES=OFF -DPRT_BUILD_BENCH=OFF \
+	@cmake -S . -B $(BUILD)/install-only -DPRT_BUILD_TESTS=OFF -DPRT_BUILD_EXAMPLES=OFF -DPRT_BUILD_BENCH=OFF -DPRT_BUILD_CODEGEN=OFF \
 	    -DCMAKE_INSTALL_PREFIX=$(PREFIX) >/dev/null
 	@cmake --install $(BUILD)/install-only
 
 clean:
 	rm -rf $(BUILD) out
 
-.PHONY: help configure test demo bench docs gen gen-check fuzz install clean
+.PHONY: help test demo bench docs gen gen-check fuzz install clean

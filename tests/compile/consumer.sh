@@ -10,7 +10,7 @@ consume() {   # USE, further arguments of cmake
         [ "$("$use/consumer_c")" = "1.000 1.000 1.000" ] && [ "$("$use/consumer_cpp")" = "1.000 1.000 1.000" ]
 }
 install_package() {
-    cmake -S "$root" -B staging -DPRT_BUILD_TESTS=OFF -DPRT_BUILD_EXAMPLES=OFF -DPRT_BUILD_BENCH=OFF \
+    cmake -S "$root" -B staging -DPRT_BUILD_TESTS=OFF -DPRT_BUILD_EXAMPLES=OFF -DPRT_BUILD_BENCH=OFF -DPRT_BUILD_CODEGEN=OFF \
           -DCMAKE_INSTALL_PREFIX="$work/prefix" && cmake --install staging &&
         mv prefix moved   # a package must not remember where it was made
 }

@@ -43,8 +43,8 @@ check_empty "nothing is left to do in the text" "$(grep -nwE "$marks" "${text[@]
 check_empty "no conflict marks" "$(grep -nE '^(<<<<<<<|>>>>>>>)( |$)' "${text[@]}" | head)"
 
 # ---- generated text ----
-if [ -n "$codegen" ]; then check "the generated blocks of prt.h are what the generator prints" "$codegen" --check prt.h
-else skip "the generated blocks of prt.h" "the generator was not built"; fi
+if [ -n "$codegen" ]; then check "prt.h and shaders/ hold what the generator prints" "$codegen" --check prt.h shaders/*
+else skip "prt.h and shaders/ hold what the generator prints" "the generator was not built"; fi
 check_empty "README.md: the cost table is filled in" "$(
     awk '/<!-- BEGIN TABLE cost -->/ { inside = 1; next } /<!-- END TABLE cost -->/ { inside = 0 } inside && /^\|/ { rows++ }
          END { if (rows < 5) print "between the marks stand " rows + 0 " rows; make docs writes them" }' README.md)"
