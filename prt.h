@@ -86,8 +86,13 @@
      Coefficients and directions are prt_real; bands are bounded by PRT_MAX_BANDS, evaluation was tested to 1024.
 
    REFERENCES
+     [Ivanic 1996]       Ivanic, Ruedenberg: Rotation Matrices for Real Spherical Harmonics. Direct Determination by
+                         Recursion. J. Phys. Chem. 100(15), 1996; corrections: J. Phys. Chem. A 102(45), 1998
+     [Pinchon 2007]      Pinchon, Hoggan: Rotation Matrices for Real Spherical Harmonics: General Rotations of Atomic
+                         Orbitals in Space-Fixed Axes. J. Phys. A 40(7), 2007
      [Ramamoorthi 2001]  Ramamoorthi, Hanrahan: An Efficient Representation for Irradiance Environment Maps. SIGGRAPH 2001
      [Sloan 2002]        Sloan, Kautz, Snyder: Precomputed Radiance Transfer for Real-Time Rendering. SIGGRAPH 2002
+     [Sloan 2005]        Sloan, Luna, Snyder: Local, Deformable Precomputed Radiance Transfer. SIGGRAPH 2005
      [Sloan 2008]        Sloan: Stupid Spherical Harmonics (SH) Tricks. GDC 2008
      [Sloan 2013]        Sloan: Efficient Spherical Harmonic Evaluation. JCGT 2(2), 2013
      [Trapani 2006]      Trapani, Navaza: Calculation of spherical harmonics and Wigner d functions by FFT. Acta
@@ -413,6 +418,26 @@ PRTDEF prt_result prt_sh_rotate_by_n_rgb(int bands, const prt_real *blocks, int 
 PRTDEF prt_result prt_sh_rotate_by_soa(int bands, const prt_real *blocks, int count, const prt_real *f, prt_real *out,
                                        size_t stride);
 
+/* f turned by one rotation: out = M(R) f, without a matrix for any band above 2. To 3 bands from the entries of R alone
+   (band 2 as R A R^T of a symmetric matrix A); above as Z(a) S Z(-b) S Z(g) with R = Rz(a) Ry(b) Rz(g), turns about z
+   and the constant sparse swap S of y and z [Pinchon 2007]: cosines and sines are quotients of entries of R, exact at
+   the poles, and no angle is computed. Reflections go by M(-R) = (-1)^l M(R). The angles of a matrix that is off by e
+   are those of a rotation nearby, so from band 3 on M stays orthogonal. out may be f.
+   Accuracy, float/double, tilts of 1e-7 from the poles included, for |f_i| <= 1: 2e-6/4e-15 to 8 bands, 3e-7/8e-16 a
+   band above. Cost: 9 55 122 224 358 528 738 multiplications and half as many additions for 2 to 8 bands, some four at
+   a time; above 8 bands the swap is computed on the way, about l^2 divisions a band: for several vectors
+   prt_sh_rotation and prt_sh_rotate_by_n are faster. */
+PRTDEF prt_result prt_sh_rotate     (int bands, const prt_real rotation[9], const prt_real *f, prt_real *out);
+
+/* The same about z by an angle in radians (finite, else PRT_ERR_VALUE), from +x towards +y. out may be f.
+   Accuracy: 2 ulp of the largest coefficient. Cost: 2 n^2 multiply-adds, one sine, one cosine. */
+PRTDEF prt_result prt_sh_rotate_z   (int bands, prt_real angle, const prt_real *f, prt_real *out);
+
+/* A function that is symmetric about +z, given by its m = 0 coefficients zonal[bands], turned to the given axis:
+   out = sqrt(4 pi/(2l+1)) zonal_l Y(l,m)(axis) [Sloan 2005]. The axis is finite and of length 1 within 1e-3 (else
+   PRT_ERR_VALUE), then normalised. out must not overlap zonal. Accuracy and cost: of prt_sh_eval, and n^2 products. */
+PRTDEF prt_result prt_sh_zonal_to   (int bands, const prt_real *zonal, prt_vec3 axis, prt_real *out);
+
 /* ----------------------------------------------------------------------------------------------- >>product ---- */
 
 /* The triple product (real Gaunt) coefficient  G = int Y(l1,m1) Y(l2,m2) Y(l3,m3) dw.
@@ -572,10 +597,12 @@ extern "C" {
 #  define PRT__EPS DBL_EPSILON
 #  define PRT__REAL_MAX DBL_MAX
 PRT__INLINE prt_real prt__sqrt(prt_real v) { return sqrt(v); }
+PRT__INLINE prt_real prt__sign(prt_real v) { return copysign(1.0, v); }
 #else
 #  define PRT__EPS FLT_EPSILON
 #  define PRT__REAL_MAX FLT_MAX
 PRT__INLINE prt_real prt__sqrt(prt_real v) { return sqrtf(v); }
+PRT__INLINE prt_real prt__sign(prt_real v) { return copysignf(1.0f, v); }
 #endif
 
 /* Finite, in a form that needs no <math.h> macro: false for NaN and for both infinities. */
@@ -2357,7 +2384,7 @@ PRT__STATIC void prt__lanes_scatter(const prt__layout *at, const prt_real *x, in
 PRT__STATIC void prt__rotate_lanes(int first, int end, int channels, const prt__entry *entries, const prt_real *blocks,
                                    const prt_real *x, prt_real *out) {
     int l, c, step = channels * PRT__LANES;
-    for (l = first; l < end; l++)
+    for (l = first; l < end && l < PRT_MAX_BANDS; l++)          /* the second bound only tells compilers */
         for (c = 0; c < channels; c++) {
             int at = ((l * l - first * first) * channels + c) * PRT__LANES;
             size_t block = prt__block_offset(l);
@@ -2386,7 +2413,7 @@ PRT__STATIC void prt__rotate_many(int bands, int channels, const prt_real *block
         for (first = 0; first < bands; first = end) {
             size_t start = (size_t)k * at->vector + (size_t)(first * first * channels) * at->coefficient;
             int size;
-            for (end = first + 1; end < bands && ((end + 1) * (end + 1) - first * first) * channels <= ROOM; ) end++;
+            for (end = first + 1; end < bands && (end + 1 - first) * (end + 1 + first) * channels <= ROOM; end++) { }
             size = (end * end - first * first) * channels;
             prt__lanes_gather(at, f + start, size, lanes, (prt_real *)x);
             prt__rotate_lanes(first, end, channels, entries, blocks, (const prt_real *)x, (prt_real *)y);
@@ -2427,6 +2454,406 @@ PRTDEF prt_result prt_sh_rotate_by_soa(int bands, const prt_real *blocks, int co
     at.coefficient = stride;
     if (prt__bands_ok(bands) && count > 0 && stride < (size_t)count) return PRT_ERR_COUNT;
     return prt__rotate_many_checked(bands, 1, blocks, count, &at, f, out);
+}
+
+/* ---- one vector, one rotation ---- */
+
+/* cos and sin of a, b, g with R = Rz(a) Ry(b) Rz(g), in this order, for a proper rotation, then those of 2g. R holds the
+   phasor of g in its last row, times sin b. That of a in the last column is lost near the poles; but the upper left
+   corner holds those of a + g, times 1 + cos b, and of a - g, times 1 - cos b, and one of the two is always well
+   defined. What is of length 1 up to the error of R needs no root to be normalised, one step of Newton's does; a takes
+   back what rounding does to the length of g. */
+PRT__INLINE void prt__euler(const prt_real *r, prt_real *turn) {
+    prt_real h2 = r[6] * r[6] + r[7] * r[7], h = 0, cg = 1, sg = 0, c2g = 1, s2g = 0, c = r[8];
+    prt_real side = prt__sign(c), over = 1 / (1 + side * c), unit;     /* no branch: either is as likely */
+    prt_real x = (r[4] + side * r[0]) * over, y = (r[3] - side * r[1]) * over;
+    if (h2 > PRT__EPS * PRT__EPS * PRT__EPS * PRT__EPS) {
+        over = 1 / h2;                                          /* beside the root, not after it */
+        h = prt__sqrt(h2);
+        cg = -r[6] * over * h;
+        sg = r[7] * over * h;
+        c2g = (r[6] * r[6] - r[7] * r[7]) * over;
+        s2g = -2 * r[6] * r[7] * over;
+    }
+    unit = (PRT__R(1.5) - PRT__R(0.5) * (x * x + y * y)) * (2 - (cg * cg + sg * sg));
+    x *= unit;
+    y *= unit;
+    turn[0] = x * cg + y * sg;
+    turn[1] = side * (y * cg - x * sg);
+    unit = PRT__R(1.5) - PRT__R(0.5) * (h2 + c * c);
+    turn[2] = c * unit;
+    turn[3] = h * unit;
+    turn[4] = cg;
+    turn[5] = sg;
+    turn[6] = c2g;
+    turn[7] = s2g;
+}
+
+PRT__INLINE prt_real prt__determinant(const prt_real *r) {
+    return r[0] * (r[4] * r[8] - r[5] * r[7]) + r[1] * (r[5] * r[6] - r[3] * r[8]) + r[2] * (r[3] * r[7] - r[4] * r[6]);
+}
+
+/* A reflection R goes by M(R) = (-1)^l M(-R). */
+PRT__STATIC const prt_real *prt__negated(const prt_real *r, prt_real *minus) {
+    int i;
+    for (i = 0; i < 9; i++) minus[i] = -r[i];
+    return minus;
+}
+PRT__STATIC void prt__negate_odd_bands(int first, int bands, prt_real *f) {
+    int l, m;
+    for (l = first; l < bands; l += 2)
+        for (m = -l; m <= l; m++) f[PRT_SH_INDEX(l, m)] = -f[PRT_SH_INDEX(l, m)];
+}
+
+/* Turns f about z, in place: (c_m, s_m) by m times the angle. The multiples in double: their errors add up. */
+PRT__STATIC void prt__turn_z(int bands, double c, double s, const prt_real *f, prt_real *out) {
+    double cm = 1, sm = 0;
+    int l, m;
+    for (m = 0; m < bands; m++) {
+        double next = cm * c - sm * s;
+        prt_real cr = (prt_real)cm, sr = (prt_real)sm;
+        for (l = m; l < bands; l++) {
+            prt_real plus = f[PRT_SH_INDEX(l, m)], minus = f[PRT_SH_INDEX(l, -m)];
+            out[PRT_SH_INDEX(l, -m)] = cr * minus + sr * plus;
+            out[PRT_SH_INDEX(l, m)] = m ? cr * plus - sr * minus : plus;
+        }
+        sm = sm * c + cm * s;
+        cm = next;
+    }
+}
+
+enum { PRT__ROTATE_KERNELS = 8 };
+typedef void prt__rotate_kernel(const prt_real *r, const prt_real *turn, const prt_real *f, prt_real *PRT__RESTRICT out);
+static prt__rotate_kernel prt__sh_rotate_2, prt__sh_rotate_3, prt__sh_rotate_4, prt__sh_rotate_5, prt__sh_rotate_6,
+                          prt__sh_rotate_7, prt__sh_rotate_8;
+
+/* The same in SIMD, four coefficients at once, where the compiler has the shuffles. */
+#if PRT__SIMD && (defined(__clang__) || __GNUC__ >= 12)
+#  ifdef PRT_DOUBLE
+#    define PRT__QUADS (PRT__VEC_BYTES >= 32)
+#  else
+#    define PRT__QUADS 1
+#  endif
+#else
+#  define PRT__QUADS 0
+#endif
+#if PRT__QUADS
+#define PRT__QUAD_SHUFFLE(a, b, i, j, k, l) __builtin_shufflevector(a, b, i, j, k, l)
+#  ifdef PRT_DOUBLE
+typedef int64_t prt__quad_mask __attribute__((vector_size(32)));
+#  else
+typedef int32_t prt__quad_mask __attribute__((vector_size(16)));
+#  endif
+PRT__INLINE prt__quad prt__quad_load(const prt_real *from) { prt__quad v; memcpy(&v, from, sizeof v); return v; }
+PRT__INLINE void prt__quad_store(prt_real *to, prt__quad v) { memcpy(to, &v, sizeof v); }
+
+/* A band in four classes: from band 4 on even_cos = { c0 c2 c4 c6 }, odd_cos = { c1 c3 c5 c7 }, even_sin = { - s2 s4 s6 },
+   odd_sin = { s1 s3 s5 s7 }, with s_m the coefficient of (l,-m). Bands 3 and 2 share one set: { c0 c2, c0 c2 },
+   { c1 c3, c1 - }, { - s2, - s2 }, { s1 s3, s1 - }. Lanes without meaning hold copies from the same band. */
+typedef struct prt__classes { prt__quad even_cos, odd_cos, even_sin, odd_sin; } prt__classes;
+PRT__INLINE void prt__swap_yz_3(prt__classes *v);
+PRT__INLINE void prt__swap_yz_4(prt__classes *v);
+PRT__INLINE void prt__swap_yz_5(prt__classes *v);
+PRT__INLINE void prt__swap_yz_6(prt__classes *v);
+PRT__INLINE void prt__swap_yz_7(prt__classes *v);
+
+/* Cosines and sines of the multiples of an angle, in the lanes of the classes of bands 2 and 3, and of those above. */
+typedef struct prt__turn { prt__classes low, high; } prt__turn;
+
+PRT__INLINE void prt__turn_classes(prt__classes *v, const prt__classes *t) {
+    prt__quad even = v->even_cos, odd = v->odd_cos;
+    v->even_cos = even * t->even_cos - v->even_sin * t->even_sin;
+    v->even_sin = v->even_sin * t->even_cos + even * t->even_sin;
+    v->odd_cos = odd * t->odd_cos - v->odd_sin * t->odd_sin;
+    v->odd_sin = v->odd_sin * t->odd_cos + odd * t->odd_sin;
+}
+
+/* From the phasor of the angle and that of twice the angle: { 0 2 4 6 } is { 0 2 0 2 } + { 0 0 4 4 }. */
+PRT__INLINE prt__turn prt__multiples(int bands, prt_real c1, prt_real s1, prt_real c2, prt_real s2) {
+    prt_real c4 = c2 * c2 - s2 * s2, s4 = 2 * s2 * c2;
+    prt__quad c = { 1, c2, 1, c2 }, s = { 0, s2, 0, s2 };
+    prt__turn t;
+    t.low.even_cos = c;
+    t.low.even_sin = s;
+    t.low.odd_cos = c * c1 - s * s1;
+    t.low.odd_sin = s * c1 + c * s1;
+    t.high = t.low;
+    if (bands == 5) {                                           /* nothing above 4: no product */
+        prt__quad even_cos = { 1, c2, c4, c4 }, even_sin = { 0, s2, s4, s4 };
+        t.high.even_cos = even_cos;
+        t.high.even_sin = even_sin;
+    } else {
+        prt__quad up_c = { 1, 1, c4, c4 }, up_s = { 0, 0, s4, s4 };
+        t.high.even_cos = c * up_c - s * up_s;
+        t.high.even_sin = s * up_c + c * up_s;
+        t.high.odd_cos = t.high.even_cos * c1 - t.high.even_sin * s1;
+        t.high.odd_sin = t.high.even_sin * c1 + t.high.even_cos * s1;
+    }
+    return t;
+}
+
+/* Bands 2 and 3: f[4 ... 15] = s2 s1 c0 c1 | c2, s3 s2 s1 | c0 c1 c2 c3. */
+PRT__INLINE void prt__rotate_bands_2_3(const prt__turn *a, const prt__turn *b, const prt__turn *g, const prt_real *f,
+                                       prt_real *out) {
+    prt__quad p = prt__quad_load(f + 4), q = prt__quad_load(f + 8), r = prt__quad_load(f + 12), t, u;
+    prt__classes v;
+    t = PRT__QUAD_SHUFFLE(p, q, 2, 2, 4, 4);
+    v.even_cos = PRT__QUAD_SHUFFLE(r, t, 0, 2, 4, 6);
+    v.odd_cos = PRT__QUAD_SHUFFLE(r, p, 1, 3, 7, 7);
+    v.even_sin = PRT__QUAD_SHUFFLE(q, p, 2, 2, 4, 4);
+    v.odd_sin = PRT__QUAD_SHUFFLE(q, p, 3, 1, 5, 5);
+    prt__turn_classes(&v, &g->low);
+    prt__swap_yz_3(&v);
+    prt__turn_classes(&v, &b->low);
+    prt__swap_yz_3(&v);
+    prt__turn_classes(&v, &a->low);
+    t = PRT__QUAD_SHUFFLE(v.even_sin, v.odd_sin, 3, 3, 6, 6);
+    u = PRT__QUAD_SHUFFLE(v.even_cos, v.odd_cos, 2, 2, 6, 6);
+    prt__quad_store(out + 4, PRT__QUAD_SHUFFLE(t, u, 0, 2, 4, 6));
+    t = PRT__QUAD_SHUFFLE(v.even_cos, v.odd_sin, 3, 3, 5, 5);
+    u = PRT__QUAD_SHUFFLE(v.even_sin, v.odd_sin, 1, 1, 4, 4);
+    prt__quad_store(out + 8, PRT__QUAD_SHUFFLE(t, u, 0, 2, 4, 6));
+    prt__quad_store(out + 12, PRT__QUAD_SHUFFLE(v.even_cos, v.odd_cos, 0, 4, 1, 5));
+}
+
+/* A band from 4 to 7, f and out at its m = 0. Loads stay within the band: the second of each pair overlaps the first. */
+PRT__INLINE prt__classes prt__load_classes(int l, const prt_real *f) {
+    prt__quad cos_low = prt__quad_load(f), cos_high = prt__quad_load(f + l - 3);
+    prt__quad sin_low = prt__quad_load(f - 4), sin_high = prt__quad_load(f - l);
+    prt__classes v;
+    if (l == 4) {
+        v.even_cos = PRT__QUAD_SHUFFLE(cos_low, cos_high, 0, 2, 7, 7);
+        v.odd_cos = PRT__QUAD_SHUFFLE(cos_low, cos_low, 1, 3, 3, 3);
+        v.even_sin = PRT__QUAD_SHUFFLE(sin_low, sin_low, 2, 2, 0, 0);
+        v.odd_sin = PRT__QUAD_SHUFFLE(sin_low, sin_low, 3, 1, 1, 1);
+    } else if (l == 5) {
+        v.even_cos = PRT__QUAD_SHUFFLE(cos_low, cos_high, 0, 2, 6, 6);
+        v.odd_cos = PRT__QUAD_SHUFFLE(cos_low, cos_high, 1, 3, 7, 7);
+        v.even_sin = PRT__QUAD_SHUFFLE(sin_low, sin_low, 2, 2, 0, 0);
+        v.odd_sin = PRT__QUAD_SHUFFLE(sin_low, sin_high, 3, 1, 4, 4);
+    } else if (l == 6) {
+        v.even_cos = PRT__QUAD_SHUFFLE(cos_low, cos_high, 0, 2, 5, 7);
+        v.odd_cos = PRT__QUAD_SHUFFLE(cos_low, cos_high, 1, 3, 6, 6);
+        v.even_sin = PRT__QUAD_SHUFFLE(sin_low, sin_high, 2, 2, 6, 4);
+        v.odd_sin = PRT__QUAD_SHUFFLE(sin_low, sin_high, 3, 1, 5, 5);
+    } else {
+        v.even_cos = PRT__QUAD_SHUFFLE(cos_low, cos_high, 0, 2, 4, 6);
+        v.odd_cos = PRT__QUAD_SHUFFLE(cos_low, cos_high, 1, 3, 5, 7);
+        v.even_sin = PRT__QUAD_SHUFFLE(sin_low, sin_high, 2, 2, 7, 5);
+        v.odd_sin = PRT__QUAD_SHUFFLE(sin_low, sin_high, 3, 1, 6, 4);
+    }
+    return v;
+}
+
+PRT__INLINE void prt__store_classes(int l, const prt__classes *v, prt_real *out) {
+    prt__quad t = PRT__QUAD_SHUFFLE(v->even_sin, v->odd_sin, 2, 1, 5, 4);
+    prt__quad_store(out, PRT__QUAD_SHUFFLE(v->even_cos, v->odd_cos, 0, 4, 1, 5));
+    prt__quad_store(out - 4, PRT__QUAD_SHUFFLE(t, t, 0, 2, 1, 3));
+    out[4] = v->even_cos[2];
+    if (l > 4) { out[5] = v->odd_cos[2]; out[-5] = v->odd_sin[2]; }
+    if (l > 5) { out[6] = v->even_cos[3]; out[-6] = v->even_sin[3]; }
+    if (l > 6) { out[7] = v->odd_cos[3]; out[-7] = v->odd_sin[3]; }
+}
+
+#define PRT__ROTATE_BAND(l) \
+    PRT__INLINE void prt__rotate_band_##l(const prt__turn *a, const prt__turn *b, const prt__turn *g, const prt_real *f, \
+                                          prt_real *out) { \
+        prt__classes v = prt__load_classes(l, f + PRT_SH_INDEX(l, 0)); \
+        prt__turn_classes(&v, &g->high); \
+        prt__swap_yz_##l(&v); \
+        prt__turn_classes(&v, &b->high); \
+        prt__swap_yz_##l(&v); \
+        prt__turn_classes(&v, &a->high); \
+        prt__store_classes(l, &v, out + PRT_SH_INDEX(l, 0)); \
+    }
+PRT__ROTATE_BAND(4) PRT__ROTATE_BAND(5) PRT__ROTATE_BAND(6) PRT__ROTATE_BAND(7)
+#undef PRT__ROTATE_BAND
+
+/* The columns of R, rows 0 1 2 2 in the lanes. */
+typedef struct prt__axes { prt__quad x, y, z; } prt__axes;
+PRT__INLINE prt__axes prt__load_axes(const prt_real *r) {
+    prt__quad p = prt__quad_load(r), q = prt__quad_load(r + 4), last = prt__quad_load(r + 5);
+    prt__quad t = PRT__QUAD_SHUFFLE(p, q, 1, 1, 4, 4), u = PRT__QUAD_SHUFFLE(p, last, 2, 2, 4, 4);
+    prt__axes c;
+    c.x = PRT__QUAD_SHUFFLE(p, q, 0, 3, 6, 6);
+    c.y = PRT__QUAD_SHUFFLE(t, q, 0, 2, 7, 7);
+    c.z = PRT__QUAD_SHUFFLE(u, last, 0, 2, 7, 7);
+    return c;
+}
+
+/* prt__rotation_ok for all entries at once. */
+PRT__INLINE int prt__axes_ok(const prt__axes *c) {
+    const prt__quad one = { 1, 1, 1, 1 }, limit = one * PRT__R(1e-6);
+    prt__quad x = PRT__QUAD_SHUFFLE(c->x, c->x, 1, 2, 0, 0), y = PRT__QUAD_SHUFFLE(c->y, c->y, 1, 2, 0, 0);
+    prt__quad z = PRT__QUAD_SHUFFLE(c->z, c->z, 1, 2, 0, 0);
+    prt__quad lengths = c->x * c->x + c->y * c->y + c->z * c->z - one, angles = c->x * x + c->y * y + c->z * z;
+    prt__quad_mask mask = (lengths * lengths <= limit) & (angles * angles <= limit);
+    int64_t lanes[sizeof mask / 8];
+    int i, all = 1;
+    memcpy(lanes, &mask, sizeof mask);
+    for (i = 0; i < (int)(sizeof mask / 8); i++) all &= lanes[i] == -1;
+    return all;
+}
+
+/* Band 1: R (x y z) in the order y, z, x. */
+PRT__INLINE void prt__rotate_band_1(const prt__axes *c, const prt_real *f, prt_real *out) {
+    prt__quad v = c->x * f[3] + c->y * f[1] + c->z * f[2];
+    out[0] = f[0];
+    out[1] = v[1];
+    out[2] = v[2];
+    out[3] = v[0];
+}
+
+/* Band 2 as prt__sh_rotate_3 does it: the rows of A R^T, then of R A R^T without the first, which the trace gives. */
+PRT__INLINE void prt__rotate_band_2(const prt__axes *c, const prt_real *r, const prt_real *f, prt_real *out) {
+    prt_real third = f[6] * PRT__R(0.577350269189625764509), xx = f[8] - third, yy = -f[8] - third, zz = 2 * third;
+    prt_real xy = f[4], yz = f[5], zx = f[7];
+    prt__quad x = c->x * xx + c->y * xy + c->z * zx, y = c->x * xy + c->y * yy + c->z * yz;
+    prt__quad z = c->x * zx + c->y * yz + c->z * zz;
+    prt__quad p = x * r[3] + y * r[4] + z * r[5], q = x * r[6] + y * r[7] + z * r[8];
+    out[4] = p[0];
+    out[5] = q[1];
+    out[6] = q[2] * PRT__R(0.866025403784438646764);
+    out[7] = q[0];
+    out[8] = -p[1] - PRT__R(0.5) * q[2];
+}
+
+/* Band 3 as a symmetric tensor T_ijk without trace: f.Y = T(x,x,x) up to a factor. `part` holds T(R^T i, j, k) for the
+   rows i in the lanes and jk = xx, yy, xy, yz, zx; zz follows from the trace. */
+PRT__INLINE void prt__band_3_parts(const prt__axes *c, const prt_real *f, prt__quad part[5]) {
+    const prt_real u = PRT__R(1.6329931618554520655), v = PRT__R(1.5811388300841896660), w = PRT__R(1.2909944487358056284);
+    prt_real xzz = u * f[4], yzz = u * f[2], xyz = w * f[1], w5 = w * f[5], v6 = v * f[6], v0 = v * f[0];
+    prt_real xxz = w5 - f[3], yyz = -w5 - f[3], thirdx = PRT__R(0.25) * xzz, thirdy = PRT__R(0.25) * yzz;
+    prt_real xyy = -thirdx - v6, xxy = v0 - thirdy, xxx = v6 - 3 * thirdx, yyy = -v0 - 3 * thirdy;
+    part[0] = c->x * xxx + c->y * xxy + c->z * xxz;
+    part[1] = c->x * xyy + c->y * yyy + c->z * yyz;
+    part[2] = c->x * xxy + c->y * xyy + c->z * xyz;
+    part[3] = c->x * xyz + c->y * yyz + c->z * yzz;
+    part[4] = c->x * xxz + c->y * xyz + c->z * xzz;
+}
+
+/* T(R^T i, p, q) for the rows i in the lanes, from the parts; p and q are rows of R. */
+PRT__INLINE prt__quad prt__band_3_contract(const prt__quad *part, prt__quad p, prt__quad q) {
+    prt__quad same = p * q, other = p * PRT__QUAD_SHUFFLE(q, q, 1, 2, 0, 0) + q * PRT__QUAD_SHUFFLE(p, p, 1, 2, 0, 0);
+    return (same[0] - same[2]) * part[0] + (same[1] - same[2]) * part[1] + other[0] * part[2] + other[1] * part[3]
+         + other[2] * part[4];
+}
+
+PRT__INLINE void prt__rotate_band_3(const prt__axes *c, const prt_real *r, const prt_real *f, prt_real *out) {
+    prt__quad x = prt__quad_load(r), y = prt__quad_load(r + 3), z = prt__quad_load(r + 5), part[5], zz, xy, xx;
+    z = PRT__QUAD_SHUFFLE(z, z, 1, 2, 3, 3);
+    prt__band_3_parts(c, f + 9, part);
+    zz = prt__band_3_contract(part, z, z);
+    xy = prt__band_3_contract(part, x, y);
+    xx = prt__band_3_contract(part, x, x);
+    out[9] = (xy[0] + PRT__R(0.25) * zz[1]) * PRT__R(0.63245553203367586640);
+    out[10] = xy[2] * PRT__R(0.77459666924148337704);
+    out[11] = zz[1] * PRT__R(0.61237243569579452455);
+    out[12] = zz[2] * PRT__R(0.5);
+    out[13] = zz[0] * PRT__R(0.61237243569579452455);
+    out[14] = (xx[2] + PRT__R(0.5) * zz[2]) * PRT__R(0.77459666924148337704);
+    out[15] = -(xy[1] + PRT__R(0.25) * zz[0]) * PRT__R(0.63245553203367586640);
+}
+
+PRT__INLINE void prt__rotate_upper_bands(int bands, const prt_real *r, const prt_real *f, prt_real *out) {
+    prt_real e[8];
+    prt__turn a, b, g;
+    prt__euler(r, e);
+    g = prt__multiples(bands, e[4], e[5], e[6], e[7]);
+    b = prt__multiples(bands, e[2], -e[3], e[2] * e[2] - e[3] * e[3], -2 * e[2] * e[3]);
+    a = prt__multiples(bands, e[0], e[1], e[0] * e[0] - e[1] * e[1], 2 * e[0] * e[1]);
+    prt__rotate_bands_2_3(&a, &b, &g, f, out);
+    prt__rotate_band_4(&a, &b, &g, f, out);
+    if (bands > 5) prt__rotate_band_5(&a, &b, &g, f, out);
+    if (bands > 6) prt__rotate_band_6(&a, &b, &g, f, out);
+    if (bands > 7) prt__rotate_band_7(&a, &b, &g, f, out);
+}
+
+PRT__INLINE prt_result prt__rotate_quads(int bands, const prt_real *r, const prt_real *f, prt_real *out) {
+    prt__axes c = prt__load_axes(r);
+    const prt_real *proper = r;
+    prt_real minus[9];
+    if (!prt__axes_ok(&c)) return PRT_ERR_ROTATION;
+    prt__rotate_band_1(&c, f, out);
+    if (bands == 3 || bands == 4) prt__rotate_band_2(&c, r, f, out);
+    if (bands == 4) prt__rotate_band_3(&c, r, f, out);
+    if (bands > 4) {
+        if (prt__determinant(r) < 0) proper = prt__negated(r, minus);
+        prt__rotate_upper_bands(bands, proper, f, out);
+        if (proper == minus) prt__negate_odd_bands(3, bands, out);
+    }
+    return PRT_OK;
+}
+#define PRT__ROTATE_QUADS(bands) \
+    PRT__STATIC prt_result prt__rotate_quads_##bands(const prt_real *r, const prt_real *f, prt_real *out) { \
+        return prt__rotate_quads(bands, r, f, out); \
+    }
+PRT__ROTATE_QUADS(2) PRT__ROTATE_QUADS(3) PRT__ROTATE_QUADS(4) PRT__ROTATE_QUADS(5) PRT__ROTATE_QUADS(6)
+PRT__ROTATE_QUADS(7) PRT__ROTATE_QUADS(8)
+#undef PRT__ROTATE_QUADS
+static prt_result (*const prt__rotate_quads_of[])(const prt_real *r, const prt_real *f, prt_real *out) = {
+    prt__rotate_quads_2, prt__rotate_quads_3, prt__rotate_quads_4, prt__rotate_quads_5, prt__rotate_quads_6,
+    prt__rotate_quads_7, prt__rotate_quads_8
+};
+#endif
+
+static prt__rotate_kernel *const prt__rotate_kernels[PRT__ROTATE_KERNELS - 1] = {
+    prt__sh_rotate_2, prt__sh_rotate_3, prt__sh_rotate_4, prt__sh_rotate_5, prt__sh_rotate_6, prt__sh_rotate_7,
+    prt__sh_rotate_8
+};
+
+/* Any number of bands, the swap computed on the way. */
+PRT__STATIC void prt__rotate_any(int bands, const prt_real *turn, const prt_real *f, prt_real *out) {
+    prt__turn_z(bands, (double)turn[4], (double)turn[5], f, out);
+    prt__sh_swap_yz(bands, out);
+    prt__turn_z(bands, (double)turn[2], -(double)turn[3], out, out);
+    prt__sh_swap_yz(bands, out);
+    prt__turn_z(bands, (double)turn[0], (double)turn[1], out, out);
+}
+
+/* Where there is no SIMD, and above PRT__ROTATE_KERNELS bands. */
+PRT__STATIC prt_result prt__rotate_plain(int bands, const prt_real *r, const prt_real *f, prt_real *out) {
+    prt_real copy[PRT__ROTATE_KERNELS * PRT__ROTATE_KERNELS], minus[9], turn[8];
+    const prt_real *proper = r;
+    if (!prt__rotation_ok(r)) return PRT_ERR_ROTATION;
+    if (bands > 3 && prt__determinant(r) < 0) proper = prt__negated(r, minus);
+    if (bands > 3) prt__euler(proper, turn);
+    if (bands > PRT__ROTATE_KERNELS) prt__rotate_any(bands, turn, f, out);
+    else {
+        memcpy(copy, f, (size_t)PRT_SH_COUNT(bands) * sizeof *f);           /* so that out may be f */
+        if (bands == 1) out[0] = f[0];
+        else prt__rotate_kernels[bands - 2](proper, turn, copy, out);
+    }
+    if (proper == minus) prt__negate_odd_bands(1, bands, out);
+    return PRT_OK;
+}
+
+PRTDEF prt_result prt_sh_rotate(int bands, const prt_real rotation[9], const prt_real *f, prt_real *out) {
+    if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
+    if (!rotation || !f || !out) return PRT_ERR_NULL;
+#if PRT__QUADS
+    if (bands > 1 && bands <= PRT__ROTATE_KERNELS) return prt__rotate_quads_of[bands - 2](rotation, f, out);
+#endif
+    return prt__rotate_plain(bands, rotation, f, out);
+}
+
+PRTDEF prt_result prt_sh_rotate_z(int bands, prt_real angle, const prt_real *f, prt_real *out) {
+    if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
+    if (!f || !out) return PRT_ERR_NULL;
+    if (!prt__finite(angle)) return PRT_ERR_VALUE;
+    prt__turn_z(bands, cos((double)angle), sin((double)angle), f, out);
+    return PRT_OK;
+}
+
+PRTDEF prt_result prt_sh_zonal_to(int bands, const prt_real *zonal, prt_vec3 axis, prt_real *out) {
+    double factor[PRT_MAX_BANDS];
+    int l;
+    if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
+    if (!zonal || !out) return PRT_ERR_NULL;
+    if (!prt__unit(axis, &axis)) return PRT_ERR_VALUE;
+    for (l = 0; l < bands; l++) factor[l] = sqrt(4 * PRT__PI / (2 * l + 1)) * (double)zonal[l];
+    prt__zonal_light(bands, factor, axis, out);
+    return PRT_OK;
 }
 
 /* ----------------------------------------------------------------------------------------------- >>product ---- */
@@ -7660,6 +8087,1526 @@ PRT__STATIC void prt__ch_at_10(const prt_real *f, prt_real x, prt_real y, prt_re
 }
 
 /* END GENERATED */
+
+/* BEGIN GENERATED: prt_codegen --lang c --emit sh_rotate --bands 2-8 */
+/* rotation of one vector, 2 bands; turn: cos, sin of a, b, g: 9 multiplications, 6 additions (6 can fuse), 13 loads, 4 stores */
+PRT__STATIC void prt__sh_rotate_2(const prt_real *r, const prt_real *turn, const prt_real *f, 
+    prt_real *PRT__RESTRICT out) {
+    (void)turn;
+    out[0] = f[0];
+    const prt_real t1 = f[1];
+    const prt_real t2 = f[2];
+    const prt_real t3 = f[3];
+    out[1] = (r[4] * t1 + r[5] * t2) + r[3] * t3;
+    out[2] = (r[7] * t1 + r[8] * t2) + r[6] * t3;
+    out[3] = (r[1] * t1 + r[2] * t2) + r[0] * t3;
+}
+
+/* rotation of one vector, 3 bands; turn: cos, sin of a, b, g: 55 multiplications, 37 additions (35 can fuse), 18 loads, 9 stores */
+PRT__STATIC void prt__sh_rotate_3(const prt_real *r, const prt_real *turn, const prt_real *f, 
+    prt_real *PRT__RESTRICT out) {
+    (void)turn;
+    out[0] = f[0];
+    const prt_real t1 = r[4];
+    const prt_real t2 = f[1];
+    const prt_real t3 = r[5];
+    const prt_real t4 = f[2];
+    const prt_real t5 = r[3];
+    const prt_real t6 = f[3];
+    out[1] = (t1 * t2 + t3 * t4) + t5 * t6;
+    const prt_real t7 = r[7];
+    const prt_real t8 = r[8];
+    const prt_real t9 = r[6];
+    out[2] = (t7 * t2 + t8 * t4) + t9 * t6;
+    const prt_real t10 = r[1];
+    const prt_real t11 = r[2];
+    const prt_real t12 = r[0];
+    out[3] = (t10 * t2 + t11 * t4) + t12 * t6;
+    const prt_real t13 = f[8];
+    const prt_real t14 = PRT__R(0.577350269189625764509) * f[6];
+    const prt_real t15 = t13 - t14;
+    const prt_real t16 = f[4];
+    const prt_real t17 = f[7];
+    const prt_real t18 = (t12 * t15 + t10 * t16) + t11 * t17;
+    const prt_real t19 = t13 + t14;
+    const prt_real t20 = f[5];
+    const prt_real t21 = (t12 * t16 - t10 * t19) + t11 * t20;
+    const prt_real t22 = PRT__R(2.0) * t14;
+    const prt_real t23 = (t12 * t17 + t10 * t20) + t11 * t22;
+    out[4] = (t5 * t18 + t1 * t21) + t3 * t23;
+    const prt_real t24 = (t5 * t15 + t1 * t16) + t3 * t17;
+    const prt_real t25 = (t5 * t16 - t1 * t19) + t3 * t20;
+    const prt_real t26 = (t5 * t17 + t1 * t20) + t3 * t22;
+    out[5] = (t9 * t24 + t7 * t25) + t8 * t26;
+    const prt_real t27 = t9 * ((t9 * t15 + t7 * t16) + t8 * t17) + t7 * ((t9 * t16 - t7 * t19) + t8 * t20);
+    const prt_real t28 = t27 + t8 * ((t9 * t17 + t7 * t20) + t8 * t22);
+    out[6] = PRT__R(0.866025403784438646764) * t28;
+    out[7] = (t9 * t18 + t7 * t21) + t8 * t23;
+    out[8] = -(((t5 * t24 + t1 * t25) + t3 * t26) + PRT__R(0.5) * t28);
+}
+
+/* rotation of one vector, 4 bands; turn: cos, sin of a, b, g: 122 multiplications, 64 additions (61 can fuse), 31 loads, 16 stores */
+PRT__STATIC void prt__sh_rotate_4(const prt_real *r, const prt_real *turn, const prt_real *f, 
+    prt_real *PRT__RESTRICT out) {
+    out[0] = f[0];
+    const prt_real t1 = f[1];
+    const prt_real t2 = f[2];
+    const prt_real t3 = f[3];
+    out[1] = (r[4] * t1 + r[5] * t2) + r[3] * t3;
+    out[2] = (r[7] * t1 + r[8] * t2) + r[6] * t3;
+    out[3] = (r[1] * t1 + r[2] * t2) + r[0] * t3;
+    const prt_real t4 = turn[0];
+    const prt_real t5 = turn[1];
+    const prt_real t6 = t4 * t4 - t5 * t5;
+    const prt_real t7 = turn[2];
+    const prt_real t8 = f[4];
+    const prt_real t9 = turn[4];
+    const prt_real t10 = turn[5];
+    const prt_real t11 = t9 * t9 - t10 * t10;
+    const prt_real t12 = f[8];
+    const prt_real t13 = t9 * t10;
+    const prt_real t14 = t13 + t13;
+    const prt_real t15 = t8 * t11 + t12 * t14;
+    const prt_real t16 = turn[3];
+    const prt_real t17 = f[5];
+    const prt_real t18 = f[7];
+    const prt_real t19 = t17 * t9 + t18 * t10;
+    const prt_real t20 = t7 * t15 + t16 * t19;
+    const prt_real t21 = t4 * t5;
+    const prt_real t22 = t21 + t21;
+    const prt_real t23 = f[6];
+    const prt_real t24 = t12 * t11 - t8 * t14;
+    const prt_real t25 = PRT__R(-0.5) * t23 + PRT__R(-0.866025403784438646764) * t24;
+    const prt_real t26 = t7 * t7 - t16 * t16;
+    const prt_real t27 = PRT__R(-0.866025403784438646764) * t23 + PRT__R(0.5) * t24;
+    const prt_real t28 = t7 * t16;
+    const prt_real t29 = t28 + t28;
+    const prt_real t30 = t18 * t9 - t17 * t10;
+    const prt_real t31 = t26 * t27 + t29 * t30;
+    const prt_real t32 = PRT__R(-0.866025403784438646764) * t25 + PRT__R(0.5) * t31;
+    out[4] = t6 * t20 + t22 * t32;
+    const prt_real t33 = t7 * t19 - t16 * t15;
+    const prt_real t34 = t26 * t30 - t29 * t27;
+    out[5] = t4 * t33 + t5 * t34;
+    out[6] = PRT__R(-0.5) * t25 + PRT__R(-0.866025403784438646764) * t31;
+    out[7] = t4 * t34 - t5 * t33;
+    out[8] = t6 * t32 - t22 * t20;
+    const prt_real t35 = t4 * t6 - t5 * t22;
+    const prt_real t36 = f[9];
+    const prt_real t37 = t9 * t11 - t10 * t14;
+    const prt_real t38 = f[15];
+    const prt_real t39 = t9 * t14 + t10 * t11;
+    const prt_real t40 = t36 * t37 + t38 * t39;
+    const prt_real t41 = f[11];
+    const prt_real t42 = f[13];
+    const prt_real t43 = t41 * t9 + t42 * t10;
+    const prt_real t44 = PRT__R(-0.790569415042094833) * t40 + PRT__R(-0.612372435695794524549) * t43;
+    const prt_real t45 = PRT__R(0.612372435695794524549) * t40 + PRT__R(-0.790569415042094833) * t43;
+    const prt_real t46 = f[10];
+    const prt_real t47 = f[14];
+    const prt_real t48 = t46 * t11 + t47 * t14;
+    const prt_real t49 = t26 * t45 + t29 * t48;
+    const prt_real t50 = PRT__R(-0.790569415042094833) * t44 + PRT__R(0.612372435695794524549) * t49;
+    const prt_real t51 = t4 * t22 + t5 * t6;
+    const prt_real t52 = t42 * t9 - t41 * t10;
+    const prt_real t53 = t38 * t37 - t36 * t39;
+    const prt_real t54 = PRT__R(-0.25) * t52 + PRT__R(-0.968245836551854221295) * t53;
+    const prt_real t55 = f[12];
+    const prt_real t56 = t47 * t11 - t46 * t14;
+    const prt_real t57 = PRT__R(-0.612372435695794524549) * t55 + PRT__R(-0.790569415042094833) * t56;
+    const prt_real t58 = t7 * t54 + t16 * t57;
+    const prt_real t59 = t7 * t26 - t16 * t29;
+    const prt_real t60 = PRT__R(-0.968245836551854221295) * t52 + PRT__R(0.25) * t53;
+    const prt_real t61 = t7 * t29 + t16 * t26;
+    const prt_real t62 = PRT__R(-0.790569415042094833) * t55 + PRT__R(0.612372435695794524549) * t56;
+    const prt_real t63 = t59 * t60 + t61 * t62;
+    const prt_real t64 = PRT__R(-0.968245836551854221295) * t58 + PRT__R(0.25) * t63;
+    out[9] = t35 * t50 + t51 * t64;
+    const prt_real t65 = t26 * t48 - t29 * t45;
+    const prt_real t66 = t59 * t62 - t61 * t60;
+    const prt_real t67 = t7 * t57 - t16 * t54;
+    const prt_real t68 = PRT__R(0.612372435695794524549) * t66 + PRT__R(-0.790569415042094833) * t67;
+    out[10] = t6 * t65 + t22 * t68;
+    const prt_real t69 = PRT__R(-0.612372435695794524549) * t44 + PRT__R(-0.790569415042094833) * t49;
+    const prt_real t70 = PRT__R(-0.25) * t58 + PRT__R(-0.968245836551854221295) * t63;
+    out[11] = t4 * t69 + t5 * t70;
+    out[12] = PRT__R(-0.790569415042094833) * t66 + PRT__R(-0.612372435695794524549) * t67;
+    out[13] = t4 * t70 - t5 * t69;
+    out[14] = t6 * t68 - t22 * t65;
+    out[15] = t35 * t64 - t51 * t50;
+}
+
+/* rotation of one vector, 5 bands; turn: cos, sin of a, b, g: 224 multiplications, 118 additions (115 can fuse), 40 loads, 25 stores */
+PRT__STATIC void prt__sh_rotate_5(const prt_real *r, const prt_real *turn, const prt_real *f, 
+    prt_real *PRT__RESTRICT out) {
+    out[0] = f[0];
+    const prt_real t1 = f[1];
+    const prt_real t2 = f[2];
+    const prt_real t3 = f[3];
+    out[1] = (r[4] * t1 + r[5] * t2) + r[3] * t3;
+    out[2] = (r[7] * t1 + r[8] * t2) + r[6] * t3;
+    out[3] = (r[1] * t1 + r[2] * t2) + r[0] * t3;
+    const prt_real t4 = turn[0];
+    const prt_real t5 = turn[1];
+    const prt_real t6 = t4 * t4 - t5 * t5;
+    const prt_real t7 = turn[2];
+    const prt_real t8 = f[4];
+    const prt_real t9 = turn[4];
+    const prt_real t10 = turn[5];
+    const prt_real t11 = t9 * t9 - t10 * t10;
+    const prt_real t12 = f[8];
+    const prt_real t13 = t9 * t10;
+    const prt_real t14 = t13 + t13;
+    const prt_real t15 = t8 * t11 + t12 * t14;
+    const prt_real t16 = turn[3];
+    const prt_real t17 = f[5];
+    const prt_real t18 = f[7];
+    const prt_real t19 = t17 * t9 + t18 * t10;
+    const prt_real t20 = t7 * t15 + t16 * t19;
+    const prt_real t21 = t4 * t5;
+    const prt_real t22 = t21 + t21;
+    const prt_real t23 = f[6];
+    const prt_real t24 = t12 * t11 - t8 * t14;
+    const prt_real t25 = PRT__R(-0.5) * t23 + PRT__R(-0.866025403784438646764) * t24;
+    const prt_real t26 = t7 * t7 - t16 * t16;
+    const prt_real t27 = PRT__R(-0.866025403784438646764) * t23 + PRT__R(0.5) * t24;
+    const prt_real t28 = t7 * t16;
+    const prt_real t29 = t28 + t28;
+    const prt_real t30 = t18 * t9 - t17 * t10;
+    const prt_real t31 = t26 * t27 + t29 * t30;
+    const prt_real t32 = PRT__R(-0.866025403784438646764) * t25 + PRT__R(0.5) * t31;
+    out[4] = t6 * t20 + t22 * t32;
+    const prt_real t33 = t7 * t19 - t16 * t15;
+    const prt_real t34 = t26 * t30 - t29 * t27;
+    out[5] = t4 * t33 + t5 * t34;
+    out[6] = PRT__R(-0.5) * t25 + PRT__R(-0.866025403784438646764) * t31;
+    out[7] = t4 * t34 - t5 * t33;
+    out[8] = t6 * t32 - t22 * t20;
+    const prt_real t35 = t4 * t6 - t5 * t22;
+    const prt_real t36 = f[9];
+    const prt_real t37 = t9 * t11 - t10 * t14;
+    const prt_real t38 = f[15];
+    const prt_real t39 = t9 * t14 + t10 * t11;
+    const prt_real t40 = t36 * t37 + t38 * t39;
+    const prt_real t41 = f[11];
+    const prt_real t42 = f[13];
+    const prt_real t43 = t41 * t9 + t42 * t10;
+    const prt_real t44 = PRT__R(-0.790569415042094833) * t40 + PRT__R(-0.612372435695794524549) * t43;
+    const prt_real t45 = PRT__R(0.612372435695794524549) * t40 + PRT__R(-0.790569415042094833) * t43;
+    const prt_real t46 = f[10];
+    const prt_real t47 = f[14];
+    const prt_real t48 = t46 * t11 + t47 * t14;
+    const prt_real t49 = t26 * t45 + t29 * t48;
+    const prt_real t50 = PRT__R(-0.790569415042094833) * t44 + PRT__R(0.612372435695794524549) * t49;
+    const prt_real t51 = t4 * t22 + t5 * t6;
+    const prt_real t52 = t42 * t9 - t41 * t10;
+    const prt_real t53 = t38 * t37 - t36 * t39;
+    const prt_real t54 = PRT__R(-0.25) * t52 + PRT__R(-0.968245836551854221295) * t53;
+    const prt_real t55 = f[12];
+    const prt_real t56 = t47 * t11 - t46 * t14;
+    const prt_real t57 = PRT__R(-0.612372435695794524549) * t55 + PRT__R(-0.790569415042094833) * t56;
+    const prt_real t58 = t7 * t54 + t16 * t57;
+    const prt_real t59 = t7 * t26 - t16 * t29;
+    const prt_real t60 = PRT__R(-0.968245836551854221295) * t52 + PRT__R(0.25) * t53;
+    const prt_real t61 = t7 * t29 + t16 * t26;
+    const prt_real t62 = PRT__R(-0.790569415042094833) * t55 + PRT__R(0.612372435695794524549) * t56;
+    const prt_real t63 = t59 * t60 + t61 * t62;
+    const prt_real t64 = PRT__R(-0.968245836551854221295) * t58 + PRT__R(0.25) * t63;
+    out[9] = t35 * t50 + t51 * t64;
+    const prt_real t65 = t26 * t48 - t29 * t45;
+    const prt_real t66 = t59 * t62 - t61 * t60;
+    const prt_real t67 = t7 * t57 - t16 * t54;
+    const prt_real t68 = PRT__R(0.612372435695794524549) * t66 + PRT__R(-0.790569415042094833) * t67;
+    out[10] = t6 * t65 + t22 * t68;
+    const prt_real t69 = PRT__R(-0.612372435695794524549) * t44 + PRT__R(-0.790569415042094833) * t49;
+    const prt_real t70 = PRT__R(-0.25) * t58 + PRT__R(-0.968245836551854221295) * t63;
+    out[11] = t4 * t69 + t5 * t70;
+    out[12] = PRT__R(-0.790569415042094833) * t66 + PRT__R(-0.612372435695794524549) * t67;
+    out[13] = t4 * t70 - t5 * t69;
+    out[14] = t6 * t68 - t22 * t65;
+    out[15] = t35 * t64 - t51 * t50;
+    const prt_real t71 = t4 * t35 - t5 * t51;
+    const prt_real t72 = f[16];
+    const prt_real t73 = t9 * t37 - t10 * t39;
+    const prt_real t74 = f[24];
+    const prt_real t75 = t9 * t39 + t10 * t37;
+    const prt_real t76 = t72 * t73 + t74 * t75;
+    const prt_real t77 = f[18];
+    const prt_real t78 = f[22];
+    const prt_real t79 = t77 * t11 + t78 * t14;
+    const prt_real t80 = PRT__R(-0.935414346693485346396) * t76 + PRT__R(-0.3535533905932737622) * t79;
+    const prt_real t81 = f[17];
+    const prt_real t82 = f[23];
+    const prt_real t83 = t81 * t37 + t82 * t39;
+    const prt_real t84 = f[19];
+    const prt_real t85 = f[21];
+    const prt_real t86 = t84 * t9 + t85 * t10;
+    const prt_real t87 = PRT__R(-0.661437827766147647625) * t83 + PRT__R(-0.75) * t86;
+    const prt_real t88 = t7 * t80 + t16 * t87;
+    const prt_real t89 = PRT__R(0.3535533905932737622) * t76 + PRT__R(-0.935414346693485346396) * t79;
+    const prt_real t90 = PRT__R(0.75) * t83 + PRT__R(-0.661437827766147647625) * t86;
+    const prt_real t91 = t59 * t89 + t61 * t90;
+    const prt_real t92 = PRT__R(-0.935414346693485346396) * t88 + PRT__R(0.3535533905932737622) * t91;
+    const prt_real t93 = t4 * t51 + t5 * t35;
+    const prt_real t94 = f[20];
+    const prt_real t95 = t78 * t11 - t77 * t14;
+    const prt_real t96 = PRT__R(0.375) * t94 + PRT__R(0.559016994374947424102) * t95;
+    const prt_real t97 = t74 * t73 - t72 * t75;
+    const prt_real t98 = t96 + PRT__R(0.739509972887452005321) * t97;
+    const prt_real t99 = (PRT__R(0.559016994374947424102) * t94 + PRT__R(0.5) * t95) + PRT__R(-0.661437827766147647625) * t97;
+    const prt_real t100 = t85 * t9 - t84 * t10;
+    const prt_real t101 = t82 * t37 - t81 * t39;
+    const prt_real t102 = PRT__R(-0.3535533905932737622) * t100 + PRT__R(-0.935414346693485346396) * t101;
+    const prt_real t103 = t26 * t99 + t29 * t102;
+    const prt_real t104 = PRT__R(0.739509972887452005321) * t98 + PRT__R(-0.661437827766147647625) * t103;
+    const prt_real t105 = t7 * t59 - t16 * t61;
+    const prt_real t106 = PRT__R(0.739509972887452005321) * t94 + PRT__R(-0.661437827766147647625) * t95;
+    const prt_real t107 = t106 + PRT__R(0.125) * t97;
+    const prt_real t108 = t7 * t61 + t16 * t59;
+    const prt_real t109 = PRT__R(-0.935414346693485346396) * t100 + PRT__R(0.3535533905932737622) * t101;
+    const prt_real t110 = t105 * t107 + t108 * t109;
+    const prt_real t111 = t104 + PRT__R(0.125) * t110;
+    out[16] = t71 * t92 + t93 * t111;
+    const prt_real t112 = t59 * t90 - t61 * t89;
+    const prt_real t113 = t7 * t87 - t16 * t80;
+    const prt_real t114 = PRT__R(0.75) * t112 + PRT__R(-0.661437827766147647625) * t113;
+    const prt_real t115 = t105 * t109 - t108 * t107;
+    const prt_real t116 = t26 * t102 - t29 * t99;
+    const prt_real t117 = PRT__R(0.3535533905932737622) * t115 + PRT__R(-0.935414346693485346396) * t116;
+    out[17] = t35 * t114 + t51 * t117;
+    const prt_real t118 = PRT__R(-0.3535533905932737622) * t88 + PRT__R(-0.935414346693485346396) * t91;
+    const prt_real t119 = (PRT__R(0.559016994374947424102) * t98 + PRT__R(0.5) * t103) + PRT__R(-0.661437827766147647625) * t110;
+    out[18] = t6 * t118 + t22 * t119;
+    const prt_real t120 = PRT__R(-0.661437827766147647625) * t112 + PRT__R(-0.75) * t113;
+    const prt_real t121 = PRT__R(-0.935414346693485346396) * t115 + PRT__R(-0.3535533905932737622) * t116;
+    out[19] = t4 * t120 + t5 * t121;
+    const prt_real t122 = PRT__R(0.375) * t98 + PRT__R(0.559016994374947424102) * t103;
+    out[20] = t122 + PRT__R(0.739509972887452005321) * t110;
+    out[21] = t4 * t121 - t5 * t120;
+    out[22] = t6 * t119 - t22 * t118;
+    out[23] = t35 * t117 - t51 * t114;
+    out[24] = t71 * t111 - t93 * t92;
+}
+
+/* rotation of one vector, 6 bands; turn: cos, sin of a, b, g: 358 multiplications, 194 additions (191 can fuse), 51 loads, 36 stores */
+PRT__STATIC void prt__sh_rotate_6(const prt_real *r, const prt_real *turn, const prt_real *f, 
+    prt_real *PRT__RESTRICT out) {
+    out[0] = f[0];
+    const prt_real t1 = f[1];
+    const prt_real t2 = f[2];
+    const prt_real t3 = f[3];
+    out[1] = (r[4] * t1 + r[5] * t2) + r[3] * t3;
+    out[2] = (r[7] * t1 + r[8] * t2) + r[6] * t3;
+    out[3] = (r[1] * t1 + r[2] * t2) + r[0] * t3;
+    const prt_real t4 = turn[0];
+    const prt_real t5 = turn[1];
+    const prt_real t6 = t4 * t4 - t5 * t5;
+    const prt_real t7 = turn[2];
+    const prt_real t8 = f[4];
+    const prt_real t9 = turn[4];
+    const prt_real t10 = turn[5];
+    const prt_real t11 = t9 * t9 - t10 * t10;
+    const prt_real t12 = f[8];
+    const prt_real t13 = t9 * t10;
+    const prt_real t14 = t13 + t13;
+    const prt_real t15 = t8 * t11 + t12 * t14;
+    const prt_real t16 = turn[3];
+    const prt_real t17 = f[5];
+    const prt_real t18 = f[7];
+    const prt_real t19 = t17 * t9 + t18 * t10;
+    const prt_real t20 = t7 * t15 + t16 * t19;
+    const prt_real t21 = t4 * t5;
+    const prt_real t22 = t21 + t21;
+    const prt_real t23 = f[6];
+    const prt_real t24 = t12 * t11 - t8 * t14;
+    const prt_real t25 = PRT__R(-0.5) * t23 + PRT__R(-0.866025403784438646764) * t24;
+    const prt_real t26 = t7 * t7 - t16 * t16;
+    const prt_real t27 = PRT__R(-0.866025403784438646764) * t23 + PRT__R(0.5) * t24;
+    const prt_real t28 = t7 * t16;
+    const prt_real t29 = t28 + t28;
+    const prt_real t30 = t18 * t9 - t17 * t10;
+    const prt_real t31 = t26 * t27 + t29 * t30;
+    const prt_real t32 = PRT__R(-0.866025403784438646764) * t25 + PRT__R(0.5) * t31;
+    out[4] = t6 * t20 + t22 * t32;
+    const prt_real t33 = t7 * t19 - t16 * t15;
+    const prt_real t34 = t26 * t30 - t29 * t27;
+    out[5] = t4 * t33 + t5 * t34;
+    out[6] = PRT__R(-0.5) * t25 + PRT__R(-0.866025403784438646764) * t31;
+    out[7] = t4 * t34 - t5 * t33;
+    out[8] = t6 * t32 - t22 * t20;
+    const prt_real t35 = t4 * t6 - t5 * t22;
+    const prt_real t36 = f[9];
+    const prt_real t37 = t9 * t11 - t10 * t14;
+    const prt_real t38 = f[15];
+    const prt_real t39 = t9 * t14 + t10 * t11;
+    const prt_real t40 = t36 * t37 + t38 * t39;
+    const prt_real t41 = f[11];
+    const prt_real t42 = f[13];
+    const prt_real t43 = t41 * t9 + t42 * t10;
+    const prt_real t44 = PRT__R(-0.790569415042094833) * t40 + PRT__R(-0.612372435695794524549) * t43;
+    const prt_real t45 = PRT__R(0.612372435695794524549) * t40 + PRT__R(-0.790569415042094833) * t43;
+    const prt_real t46 = f[10];
+    const prt_real t47 = f[14];
+    const prt_real t48 = t46 * t11 + t47 * t14;
+    const prt_real t49 = t26 * t45 + t29 * t48;
+    const prt_real t50 = PRT__R(-0.790569415042094833) * t44 + PRT__R(0.612372435695794524549) * t49;
+    const prt_real t51 = t4 * t22 + t5 * t6;
+    const prt_real t52 = t42 * t9 - t41 * t10;
+    const prt_real t53 = t38 * t37 - t36 * t39;
+    const prt_real t54 = PRT__R(-0.25) * t52 + PRT__R(-0.968245836551854221295) * t53;
+    const prt_real t55 = f[12];
+    const prt_real t56 = t47 * t11 - t46 * t14;
+    const prt_real t57 = PRT__R(-0.612372435695794524549) * t55 + PRT__R(-0.790569415042094833) * t56;
+    const prt_real t58 = t7 * t54 + t16 * t57;
+    const prt_real t59 = t7 * t26 - t16 * t29;
+    const prt_real t60 = PRT__R(-0.968245836551854221295) * t52 + PRT__R(0.25) * t53;
+    const prt_real t61 = t7 * t29 + t16 * t26;
+    const prt_real t62 = PRT__R(-0.790569415042094833) * t55 + PRT__R(0.612372435695794524549) * t56;
+    const prt_real t63 = t59 * t60 + t61 * t62;
+    const prt_real t64 = PRT__R(-0.968245836551854221295) * t58 + PRT__R(0.25) * t63;
+    out[9] = t35 * t50 + t51 * t64;
+    const prt_real t65 = t26 * t48 - t29 * t45;
+    const prt_real t66 = t59 * t62 - t61 * t60;
+    const prt_real t67 = t7 * t57 - t16 * t54;
+    const prt_real t68 = PRT__R(0.612372435695794524549) * t66 + PRT__R(-0.790569415042094833) * t67;
+    out[10] = t6 * t65 + t22 * t68;
+    const prt_real t69 = PRT__R(-0.612372435695794524549) * t44 + PRT__R(-0.790569415042094833) * t49;
+    const prt_real t70 = PRT__R(-0.25) * t58 + PRT__R(-0.968245836551854221295) * t63;
+    out[11] = t4 * t69 + t5 * t70;
+    out[12] = PRT__R(-0.790569415042094833) * t66 + PRT__R(-0.612372435695794524549) * t67;
+    out[13] = t4 * t70 - t5 * t69;
+    out[14] = t6 * t68 - t22 * t65;
+    out[15] = t35 * t64 - t51 * t50;
+    const prt_real t71 = t4 * t35 - t5 * t51;
+    const prt_real t72 = f[16];
+    const prt_real t73 = t9 * t37 - t10 * t39;
+    const prt_real t74 = f[24];
+    const prt_real t75 = t9 * t39 + t10 * t37;
+    const prt_real t76 = t72 * t73 + t74 * t75;
+    const prt_real t77 = f[18];
+    const prt_real t78 = f[22];
+    const prt_real t79 = t77 * t11 + t78 * t14;
+    const prt_real t80 = PRT__R(-0.935414346693485346396) * t76 + PRT__R(-0.3535533905932737622) * t79;
+    const prt_real t81 = f[17];
+    const prt_real t82 = f[23];
+    const prt_real t83 = t81 * t37 + t82 * t39;
+    const prt_real t84 = f[19];
+    const prt_real t85 = f[21];
+    const prt_real t86 = t84 * t9 + t85 * t10;
+    const prt_real t87 = PRT__R(-0.661437827766147647625) * t83 + PRT__R(-0.75) * t86;
+    const prt_real t88 = t7 * t80 + t16 * t87;
+    const prt_real t89 = PRT__R(0.3535533905932737622) * t76 + PRT__R(-0.935414346693485346396) * t79;
+    const prt_real t90 = PRT__R(0.75) * t83 + PRT__R(-0.661437827766147647625) * t86;
+    const prt_real t91 = t59 * t89 + t61 * t90;
+    const prt_real t92 = PRT__R(-0.935414346693485346396) * t88 + PRT__R(0.3535533905932737622) * t91;
+    const prt_real t93 = t4 * t51 + t5 * t35;
+    const prt_real t94 = f[20];
+    const prt_real t95 = t78 * t11 - t77 * t14;
+    const prt_real t96 = PRT__R(0.375) * t94 + PRT__R(0.559016994374947424102) * t95;
+    const prt_real t97 = t74 * t73 - t72 * t75;
+    const prt_real t98 = t96 + PRT__R(0.739509972887452005321) * t97;
+    const prt_real t99 = (PRT__R(0.559016994374947424102) * t94 + PRT__R(0.5) * t95) + PRT__R(-0.661437827766147647625) * t97;
+    const prt_real t100 = t85 * t9 - t84 * t10;
+    const prt_real t101 = t82 * t37 - t81 * t39;
+    const prt_real t102 = PRT__R(-0.3535533905932737622) * t100 + PRT__R(-0.935414346693485346396) * t101;
+    const prt_real t103 = t26 * t99 + t29 * t102;
+    const prt_real t104 = PRT__R(0.739509972887452005321) * t98 + PRT__R(-0.661437827766147647625) * t103;
+    const prt_real t105 = t7 * t59 - t16 * t61;
+    const prt_real t106 = PRT__R(0.739509972887452005321) * t94 + PRT__R(-0.661437827766147647625) * t95;
+    const prt_real t107 = t106 + PRT__R(0.125) * t97;
+    const prt_real t108 = t7 * t61 + t16 * t59;
+    const prt_real t109 = PRT__R(-0.935414346693485346396) * t100 + PRT__R(0.3535533905932737622) * t101;
+    const prt_real t110 = t105 * t107 + t108 * t109;
+    const prt_real t111 = t104 + PRT__R(0.125) * t110;
+    out[16] = t71 * t92 + t93 * t111;
+    const prt_real t112 = t59 * t90 - t61 * t89;
+    const prt_real t113 = t7 * t87 - t16 * t80;
+    const prt_real t114 = PRT__R(0.75) * t112 + PRT__R(-0.661437827766147647625) * t113;
+    const prt_real t115 = t105 * t109 - t108 * t107;
+    const prt_real t116 = t26 * t102 - t29 * t99;
+    const prt_real t117 = PRT__R(0.3535533905932737622) * t115 + PRT__R(-0.935414346693485346396) * t116;
+    out[17] = t35 * t114 + t51 * t117;
+    const prt_real t118 = PRT__R(-0.3535533905932737622) * t88 + PRT__R(-0.935414346693485346396) * t91;
+    const prt_real t119 = (PRT__R(0.559016994374947424102) * t98 + PRT__R(0.5) * t103) + PRT__R(-0.661437827766147647625) * t110;
+    out[18] = t6 * t118 + t22 * t119;
+    const prt_real t120 = PRT__R(-0.661437827766147647625) * t112 + PRT__R(-0.75) * t113;
+    const prt_real t121 = PRT__R(-0.935414346693485346396) * t115 + PRT__R(-0.3535533905932737622) * t116;
+    out[19] = t4 * t120 + t5 * t121;
+    const prt_real t122 = PRT__R(0.375) * t98 + PRT__R(0.559016994374947424102) * t103;
+    out[20] = t122 + PRT__R(0.739509972887452005321) * t110;
+    out[21] = t4 * t121 - t5 * t120;
+    out[22] = t6 * t119 - t22 * t118;
+    out[23] = t35 * t117 - t51 * t114;
+    out[24] = t71 * t111 - t93 * t92;
+    const prt_real t123 = t4 * t71 - t5 * t93;
+    const prt_real t124 = f[25];
+    const prt_real t125 = t9 * t73 - t10 * t75;
+    const prt_real t126 = f[35];
+    const prt_real t127 = t9 * t75 + t10 * t73;
+    const prt_real t128 = t124 * t125 + t126 * t127;
+    const prt_real t129 = f[27];
+    const prt_real t130 = f[33];
+    const prt_real t131 = t129 * t37 + t130 * t39;
+    const prt_real t132 = PRT__R(0.701560760020114009797) * t128 + PRT__R(0.522912516583797217486) * t131;
+    const prt_real t133 = f[29];
+    const prt_real t134 = f[31];
+    const prt_real t135 = t133 * t9 + t134 * t10;
+    const prt_real t136 = t132 + PRT__R(0.484122918275927110647) * t135;
+    const prt_real t137 = PRT__R(-0.684653196881457641821) * t128 + PRT__R(0.306186217847897262275) * t131;
+    const prt_real t138 = t137 + PRT__R(0.661437827766147647625) * t135;
+    const prt_real t139 = f[26];
+    const prt_real t140 = f[34];
+    const prt_real t141 = t139 * t73 + t140 * t75;
+    const prt_real t142 = f[28];
+    const prt_real t143 = f[32];
+    const prt_real t144 = t142 * t11 + t143 * t14;
+    const prt_real t145 = PRT__R(-0.866025403784438646764) * t141 + PRT__R(-0.5) * t144;
+    const prt_real t146 = t26 * t138 + t29 * t145;
+    const prt_real t147 = PRT__R(0.701560760020114009797) * t136 + PRT__R(-0.684653196881457641821) * t146;
+    const prt_real t148 = PRT__R(0.19764235376052370825) * t128 + PRT__R(-0.795495128834865964951) * t131;
+    const prt_real t149 = t148 + PRT__R(0.572821961869480000824) * t135;
+    const prt_real t150 = PRT__R(0.5) * t141 + PRT__R(-0.866025403784438646764) * t144;
+    const prt_real t151 = t105 * t149 + t108 * t150;
+    const prt_real t152 = t147 + PRT__R(0.19764235376052370825) * t151;
+    const prt_real t153 = t4 * t93 + t5 * t71;
+    const prt_real t154 = t134 * t9 - t133 * t10;
+    const prt_real t155 = t130 * t37 - t129 * t39;
+    const prt_real t156 = PRT__R(0.125) * t154 + PRT__R(0.405046293650491264435) * t155;
+    const prt_real t157 = t126 * t125 - t124 * t127;
+    const prt_real t158 = t156 + PRT__R(0.905711046636839910857) * t157;
+    const prt_real t159 = f[30];
+    const prt_real t160 = t143 * t11 - t142 * t14;
+    const prt_real t161 = PRT__R(0.484122918275927110647) * t159 + PRT__R(0.661437827766147647625) * t160;
+    const prt_real t162 = t140 * t73 - t139 * t75;
+    const prt_real t163 = t161 + PRT__R(0.572821961869480000824) * t162;
+    const prt_real t164 = t7 * t158 + t16 * t163;
+    const prt_real t165 = PRT__R(0.405046293650491264435) * t154 + PRT__R(0.8125) * t155;
+    const prt_real t166 = t165 + PRT__R(-0.419262745781210568077) * t157;
+    const prt_real t167 = PRT__R(0.522912516583797217486) * t159 + PRT__R(0.306186217847897262275) * t160;
+    const prt_real t168 = t167 + PRT__R(-0.795495128834865964951) * t162;
+    const prt_real t169 = t59 * t166 + t61 * t168;
+    const prt_real t170 = PRT__R(0.905711046636839910857) * t164 + PRT__R(-0.419262745781210568077) * t169;
+    const prt_real t171 = t7 * t105 - t16 * t108;
+    const prt_real t172 = PRT__R(0.905711046636839910857) * t154 + PRT__R(-0.419262745781210568077) * t155;
+    const prt_real t173 = t172 + PRT__R(0.0625) * t157;
+    const prt_real t174 = t7 * t108 + t16 * t105;
+    const prt_real t175 = PRT__R(0.701560760020114009797) * t159 + PRT__R(-0.684653196881457641821) * t160;
+    const prt_real t176 = t175 + PRT__R(0.19764235376052370825) * t162;
+    const prt_real t177 = t171 * t173 + t174 * t176;
+    const prt_real t178 = t170 + PRT__R(0.0625) * t177;
+    out[25] = t123 * t152 + t153 * t178;
+    const prt_real t179 = t105 * t150 - t108 * t149;
+    const prt_real t180 = t26 * t145 - t29 * t138;
+    const prt_real t181 = PRT__R(0.5) * t179 + PRT__R(-0.866025403784438646764) * t180;
+    const prt_real t182 = t171 * t176 - t174 * t173;
+    const prt_real t183 = t59 * t168 - t61 * t166;
+    const prt_real t184 = PRT__R(0.19764235376052370825) * t182 + PRT__R(-0.795495128834865964951) * t183;
+    const prt_real t185 = t7 * t163 - t16 * t158;
+    const prt_real t186 = t184 + PRT__R(0.572821961869480000824) * t185;
+    out[26] = t71 * t181 + t93 * t186;
+    const prt_real t187 = PRT__R(0.522912516583797217486) * t136 + PRT__R(0.306186217847897262275) * t146;
+    const prt_real t188 = t187 + PRT__R(-0.795495128834865964951) * t151;
+    const prt_real t189 = PRT__R(0.405046293650491264435) * t164 + PRT__R(0.8125) * t169;
+    const prt_real t190 = t189 + PRT__R(-0.419262745781210568077) * t177;
+    out[27] = t35 * t188 + t51 * t190;
+    const prt_real t191 = PRT__R(-0.866025403784438646764) * t179 + PRT__R(-0.5) * t180;
+    const prt_real t192 = PRT__R(-0.684653196881457641821) * t182 + PRT__R(0.306186217847897262275) * t183;
+    const prt_real t193 = t192 + PRT__R(0.661437827766147647625) * t185;
+    out[28] = t6 * t191 + t22 * t193;
+    const prt_real t194 = PRT__R(0.484122918275927110647) * t136 + PRT__R(0.661437827766147647625) * t146;
+    const prt_real t195 = t194 + PRT__R(0.572821961869480000824) * t151;
+    const prt_real t196 = PRT__R(0.125) * t164 + PRT__R(0.405046293650491264435) * t169;
+    const prt_real t197 = t196 + PRT__R(0.905711046636839910857) * t177;
+    out[29] = t4 * t195 + t5 * t197;
+    const prt_real t198 = PRT__R(0.701560760020114009797) * t182 + PRT__R(0.522912516583797217486) * t183;
+    out[30] = t198 + PRT__R(0.484122918275927110647) * t185;
+    out[31] = t4 * t197 - t5 * t195;
+    out[32] = t6 * t193 - t22 * t191;
+    out[33] = t35 * t190 - t51 * t188;
+    out[34] = t71 * t186 - t93 * t181;
+    out[35] = t123 * t178 - t153 * t152;
+}
+
+/* rotation of one vector, 7 bands; turn: cos, sin of a, b, g: 528 multiplications, 296 additions (293 can fuse), 64 loads, 49 stores */
+PRT__STATIC void prt__sh_rotate_7(const prt_real *r, const prt_real *turn, const prt_real *f, 
+    prt_real *PRT__RESTRICT out) {
+    out[0] = f[0];
+    const prt_real t1 = f[1];
+    const prt_real t2 = f[2];
+    const prt_real t3 = f[3];
+    out[1] = (r[4] * t1 + r[5] * t2) + r[3] * t3;
+    out[2] = (r[7] * t1 + r[8] * t2) + r[6] * t3;
+    out[3] = (r[1] * t1 + r[2] * t2) + r[0] * t3;
+    const prt_real t4 = turn[0];
+    const prt_real t5 = turn[1];
+    const prt_real t6 = t4 * t4 - t5 * t5;
+    const prt_real t7 = turn[2];
+    const prt_real t8 = f[4];
+    const prt_real t9 = turn[4];
+    const prt_real t10 = turn[5];
+    const prt_real t11 = t9 * t9 - t10 * t10;
+    const prt_real t12 = f[8];
+    const prt_real t13 = t9 * t10;
+    const prt_real t14 = t13 + t13;
+    const prt_real t15 = t8 * t11 + t12 * t14;
+    const prt_real t16 = turn[3];
+    const prt_real t17 = f[5];
+    const prt_real t18 = f[7];
+    const prt_real t19 = t17 * t9 + t18 * t10;
+    const prt_real t20 = t7 * t15 + t16 * t19;
+    const prt_real t21 = t4 * t5;
+    const prt_real t22 = t21 + t21;
+    const prt_real t23 = f[6];
+    const prt_real t24 = t12 * t11 - t8 * t14;
+    const prt_real t25 = PRT__R(-0.5) * t23 + PRT__R(-0.866025403784438646764) * t24;
+    const prt_real t26 = t7 * t7 - t16 * t16;
+    const prt_real t27 = PRT__R(-0.866025403784438646764) * t23 + PRT__R(0.5) * t24;
+    const prt_real t28 = t7 * t16;
+    const prt_real t29 = t28 + t28;
+    const prt_real t30 = t18 * t9 - t17 * t10;
+    const prt_real t31 = t26 * t27 + t29 * t30;
+    const prt_real t32 = PRT__R(-0.866025403784438646764) * t25 + PRT__R(0.5) * t31;
+    out[4] = t6 * t20 + t22 * t32;
+    const prt_real t33 = t7 * t19 - t16 * t15;
+    const prt_real t34 = t26 * t30 - t29 * t27;
+    out[5] = t4 * t33 + t5 * t34;
+    out[6] = PRT__R(-0.5) * t25 + PRT__R(-0.866025403784438646764) * t31;
+    out[7] = t4 * t34 - t5 * t33;
+    out[8] = t6 * t32 - t22 * t20;
+    const prt_real t35 = t4 * t6 - t5 * t22;
+    const prt_real t36 = f[9];
+    const prt_real t37 = t9 * t11 - t10 * t14;
+    const prt_real t38 = f[15];
+    const prt_real t39 = t9 * t14 + t10 * t11;
+    const prt_real t40 = t36 * t37 + t38 * t39;
+    const prt_real t41 = f[11];
+    const prt_real t42 = f[13];
+    const prt_real t43 = t41 * t9 + t42 * t10;
+    const prt_real t44 = PRT__R(-0.790569415042094833) * t40 + PRT__R(-0.612372435695794524549) * t43;
+    const prt_real t45 = PRT__R(0.612372435695794524549) * t40 + PRT__R(-0.790569415042094833) * t43;
+    const prt_real t46 = f[10];
+    const prt_real t47 = f[14];
+    const prt_real t48 = t46 * t11 + t47 * t14;
+    const prt_real t49 = t26 * t45 + t29 * t48;
+    const prt_real t50 = PRT__R(-0.790569415042094833) * t44 + PRT__R(0.612372435695794524549) * t49;
+    const prt_real t51 = t4 * t22 + t5 * t6;
+    const prt_real t52 = t42 * t9 - t41 * t10;
+    const prt_real t53 = t38 * t37 - t36 * t39;
+    const prt_real t54 = PRT__R(-0.25) * t52 + PRT__R(-0.968245836551854221295) * t53;
+    const prt_real t55 = f[12];
+    const prt_real t56 = t47 * t11 - t46 * t14;
+    const prt_real t57 = PRT__R(-0.612372435695794524549) * t55 + PRT__R(-0.790569415042094833) * t56;
+    const prt_real t58 = t7 * t54 + t16 * t57;
+    const prt_real t59 = t7 * t26 - t16 * t29;
+    const prt_real t60 = PRT__R(-0.968245836551854221295) * t52 + PRT__R(0.25) * t53;
+    const prt_real t61 = t7 * t29 + t16 * t26;
+    const prt_real t62 = PRT__R(-0.790569415042094833) * t55 + PRT__R(0.612372435695794524549) * t56;
+    const prt_real t63 = t59 * t60 + t61 * t62;
+    const prt_real t64 = PRT__R(-0.968245836551854221295) * t58 + PRT__R(0.25) * t63;
+    out[9] = t35 * t50 + t51 * t64;
+    const prt_real t65 = t26 * t48 - t29 * t45;
+    const prt_real t66 = t59 * t62 - t61 * t60;
+    const prt_real t67 = t7 * t57 - t16 * t54;
+    const prt_real t68 = PRT__R(0.612372435695794524549) * t66 + PRT__R(-0.790569415042094833) * t67;
+    out[10] = t6 * t65 + t22 * t68;
+    const prt_real t69 = PRT__R(-0.612372435695794524549) * t44 + PRT__R(-0.790569415042094833) * t49;
+    const prt_real t70 = PRT__R(-0.25) * t58 + PRT__R(-0.968245836551854221295) * t63;
+    out[11] = t4 * t69 + t5 * t70;
+    out[12] = PRT__R(-0.790569415042094833) * t66 + PRT__R(-0.612372435695794524549) * t67;
+    out[13] = t4 * t70 - t5 * t69;
+    out[14] = t6 * t68 - t22 * t65;
+    out[15] = t35 * t64 - t51 * t50;
+    const prt_real t71 = t4 * t35 - t5 * t51;
+    const prt_real t72 = f[16];
+    const prt_real t73 = t9 * t37 - t10 * t39;
+    const prt_real t74 = f[24];
+    const prt_real t75 = t9 * t39 + t10 * t37;
+    const prt_real t76 = t72 * t73 + t74 * t75;
+    const prt_real t77 = f[18];
+    const prt_real t78 = f[22];
+    const prt_real t79 = t77 * t11 + t78 * t14;
+    const prt_real t80 = PRT__R(-0.935414346693485346396) * t76 + PRT__R(-0.3535533905932737622) * t79;
+    const prt_real t81 = f[17];
+    const prt_real t82 = f[23];
+    const prt_real t83 = t81 * t37 + t82 * t39;
+    const prt_real t84 = f[19];
+    const prt_real t85 = f[21];
+    const prt_real t86 = t84 * t9 + t85 * t10;
+    const prt_real t87 = PRT__R(-0.661437827766147647625) * t83 + PRT__R(-0.75) * t86;
+    const prt_real t88 = t7 * t80 + t16 * t87;
+    const prt_real t89 = PRT__R(0.3535533905932737622) * t76 + PRT__R(-0.935414346693485346396) * t79;
+    const prt_real t90 = PRT__R(0.75) * t83 + PRT__R(-0.661437827766147647625) * t86;
+    const prt_real t91 = t59 * t89 + t61 * t90;
+    const prt_real t92 = PRT__R(-0.935414346693485346396) * t88 + PRT__R(0.3535533905932737622) * t91;
+    const prt_real t93 = t4 * t51 + t5 * t35;
+    const prt_real t94 = f[20];
+    const prt_real t95 = t78 * t11 - t77 * t14;
+    const prt_real t96 = PRT__R(0.375) * t94 + PRT__R(0.559016994374947424102) * t95;
+    const prt_real t97 = t74 * t73 - t72 * t75;
+    const prt_real t98 = t96 + PRT__R(0.739509972887452005321) * t97;
+    const prt_real t99 = (PRT__R(0.559016994374947424102) * t94 + PRT__R(0.5) * t95) + PRT__R(-0.661437827766147647625) * t97;
+    const prt_real t100 = t85 * t9 - t84 * t10;
+    const prt_real t101 = t82 * t37 - t81 * t39;
+    const prt_real t102 = PRT__R(-0.3535533905932737622) * t100 + PRT__R(-0.935414346693485346396) * t101;
+    const prt_real t103 = t26 * t99 + t29 * t102;
+    const prt_real t104 = PRT__R(0.739509972887452005321) * t98 + PRT__R(-0.661437827766147647625) * t103;
+    const prt_real t105 = t7 * t59 - t16 * t61;
+    const prt_real t106 = PRT__R(0.739509972887452005321) * t94 + PRT__R(-0.661437827766147647625) * t95;
+    const prt_real t107 = t106 + PRT__R(0.125) * t97;
+    const prt_real t108 = t7 * t61 + t16 * t59;
+    const prt_real t109 = PRT__R(-0.935414346693485346396) * t100 + PRT__R(0.3535533905932737622) * t101;
+    const prt_real t110 = t105 * t107 + t108 * t109;
+    const prt_real t111 = t104 + PRT__R(0.125) * t110;
+    out[16] = t71 * t92 + t93 * t111;
+    const prt_real t112 = t59 * t90 - t61 * t89;
+    const prt_real t113 = t7 * t87 - t16 * t80;
+    const prt_real t114 = PRT__R(0.75) * t112 + PRT__R(-0.661437827766147647625) * t113;
+    const prt_real t115 = t105 * t109 - t108 * t107;
+    const prt_real t116 = t26 * t102 - t29 * t99;
+    const prt_real t117 = PRT__R(0.3535533905932737622) * t115 + PRT__R(-0.935414346693485346396) * t116;
+    out[17] = t35 * t114 + t51 * t117;
+    const prt_real t118 = PRT__R(-0.3535533905932737622) * t88 + PRT__R(-0.935414346693485346396) * t91;
+    const prt_real t119 = (PRT__R(0.559016994374947424102) * t98 + PRT__R(0.5) * t103) + PRT__R(-0.661437827766147647625) * t110;
+    out[18] = t6 * t118 + t22 * t119;
+    const prt_real t120 = PRT__R(-0.661437827766147647625) * t112 + PRT__R(-0.75) * t113;
+    const prt_real t121 = PRT__R(-0.935414346693485346396) * t115 + PRT__R(-0.3535533905932737622) * t116;
+    out[19] = t4 * t120 + t5 * t121;
+    const prt_real t122 = PRT__R(0.375) * t98 + PRT__R(0.559016994374947424102) * t103;
+    out[20] = t122 + PRT__R(0.739509972887452005321) * t110;
+    out[21] = t4 * t121 - t5 * t120;
+    out[22] = t6 * t119 - t22 * t118;
+    out[23] = t35 * t117 - t51 * t114;
+    out[24] = t71 * t111 - t93 * t92;
+    const prt_real t123 = t4 * t71 - t5 * t93;
+    const prt_real t124 = f[25];
+    const prt_real t125 = t9 * t73 - t10 * t75;
+    const prt_real t126 = f[35];
+    const prt_real t127 = t9 * t75 + t10 * t73;
+    const prt_real t128 = t124 * t125 + t126 * t127;
+    const prt_real t129 = f[27];
+    const prt_real t130 = f[33];
+    const prt_real t131 = t129 * t37 + t130 * t39;
+    const prt_real t132 = PRT__R(0.701560760020114009797) * t128 + PRT__R(0.522912516583797217486) * t131;
+    const prt_real t133 = f[29];
+    const prt_real t134 = f[31];
+    const prt_real t135 = t133 * t9 + t134 * t10;
+    const prt_real t136 = t132 + PRT__R(0.484122918275927110647) * t135;
+    const prt_real t137 = PRT__R(-0.684653196881457641821) * t128 + PRT__R(0.306186217847897262275) * t131;
+    const prt_real t138 = t137 + PRT__R(0.661437827766147647625) * t135;
+    const prt_real t139 = f[26];
+    const prt_real t140 = f[34];
+    const prt_real t141 = t139 * t73 + t140 * t75;
+    const prt_real t142 = f[28];
+    const prt_real t143 = f[32];
+    const prt_real t144 = t142 * t11 + t143 * t14;
+    const prt_real t145 = PRT__R(-0.866025403784438646764) * t141 + PRT__R(-0.5) * t144;
+    const prt_real t146 = t26 * t138 + t29 * t145;
+    const prt_real t147 = PRT__R(0.701560760020114009797) * t136 + PRT__R(-0.684653196881457641821) * t146;
+    const prt_real t148 = PRT__R(0.19764235376052370825) * t128 + PRT__R(-0.795495128834865964951) * t131;
+    const prt_real t149 = t148 + PRT__R(0.572821961869480000824) * t135;
+    const prt_real t150 = PRT__R(0.5) * t141 + PRT__R(-0.866025403784438646764) * t144;
+    const prt_real t151 = t105 * t149 + t108 * t150;
+    const prt_real t152 = t147 + PRT__R(0.19764235376052370825) * t151;
+    const prt_real t153 = t4 * t93 + t5 * t71;
+    const prt_real t154 = t134 * t9 - t133 * t10;
+    const prt_real t155 = t130 * t37 - t129 * t39;
+    const prt_real t156 = PRT__R(0.125) * t154 + PRT__R(0.405046293650491264435) * t155;
+    const prt_real t157 = t126 * t125 - t124 * t127;
+    const prt_real t158 = t156 + PRT__R(0.905711046636839910857) * t157;
+    const prt_real t159 = f[30];
+    const prt_real t160 = t143 * t11 - t142 * t14;
+    const prt_real t161 = PRT__R(0.484122918275927110647) * t159 + PRT__R(0.661437827766147647625) * t160;
+    const prt_real t162 = t140 * t73 - t139 * t75;
+    const prt_real t163 = t161 + PRT__R(0.572821961869480000824) * t162;
+    const prt_real t164 = t7 * t158 + t16 * t163;
+    const prt_real t165 = PRT__R(0.405046293650491264435) * t154 + PRT__R(0.8125) * t155;
+    const prt_real t166 = t165 + PRT__R(-0.419262745781210568077) * t157;
+    const prt_real t167 = PRT__R(0.522912516583797217486) * t159 + PRT__R(0.306186217847897262275) * t160;
+    const prt_real t168 = t167 + PRT__R(-0.795495128834865964951) * t162;
+    const prt_real t169 = t59 * t166 + t61 * t168;
+    const prt_real t170 = PRT__R(0.905711046636839910857) * t164 + PRT__R(-0.419262745781210568077) * t169;
+    const prt_real t171 = t7 * t105 - t16 * t108;
+    const prt_real t172 = PRT__R(0.905711046636839910857) * t154 + PRT__R(-0.419262745781210568077) * t155;
+    const prt_real t173 = t172 + PRT__R(0.0625) * t157;
+    const prt_real t174 = t7 * t108 + t16 * t105;
+    const prt_real t175 = PRT__R(0.701560760020114009797) * t159 + PRT__R(-0.684653196881457641821) * t160;
+    const prt_real t176 = t175 + PRT__R(0.19764235376052370825) * t162;
+    const prt_real t177 = t171 * t173 + t174 * t176;
+    const prt_real t178 = t170 + PRT__R(0.0625) * t177;
+    out[25] = t123 * t152 + t153 * t178;
+    const prt_real t179 = t105 * t150 - t108 * t149;
+    const prt_real t180 = t26 * t145 - t29 * t138;
+    const prt_real t181 = PRT__R(0.5) * t179 + PRT__R(-0.866025403784438646764) * t180;
+    const prt_real t182 = t171 * t176 - t174 * t173;
+    const prt_real t183 = t59 * t168 - t61 * t166;
+    const prt_real t184 = PRT__R(0.19764235376052370825) * t182 + PRT__R(-0.795495128834865964951) * t183;
+    const prt_real t185 = t7 * t163 - t16 * t158;
+    const prt_real t186 = t184 + PRT__R(0.572821961869480000824) * t185;
+    out[26] = t71 * t181 + t93 * t186;
+    const prt_real t187 = PRT__R(0.522912516583797217486) * t136 + PRT__R(0.306186217847897262275) * t146;
+    const prt_real t188 = t187 + PRT__R(-0.795495128834865964951) * t151;
+    const prt_real t189 = PRT__R(0.405046293650491264435) * t164 + PRT__R(0.8125) * t169;
+    const prt_real t190 = t189 + PRT__R(-0.419262745781210568077) * t177;
+    out[27] = t35 * t188 + t51 * t190;
+    const prt_real t191 = PRT__R(-0.866025403784438646764) * t179 + PRT__R(-0.5) * t180;
+    const prt_real t192 = PRT__R(-0.684653196881457641821) * t182 + PRT__R(0.306186217847897262275) * t183;
+    const prt_real t193 = t192 + PRT__R(0.661437827766147647625) * t185;
+    out[28] = t6 * t191 + t22 * t193;
+    const prt_real t194 = PRT__R(0.484122918275927110647) * t136 + PRT__R(0.661437827766147647625) * t146;
+    const prt_real t195 = t194 + PRT__R(0.572821961869480000824) * t151;
+    const prt_real t196 = PRT__R(0.125) * t164 + PRT__R(0.405046293650491264435) * t169;
+    const prt_real t197 = t196 + PRT__R(0.905711046636839910857) * t177;
+    out[29] = t4 * t195 + t5 * t197;
+    const prt_real t198 = PRT__R(0.701560760020114009797) * t182 + PRT__R(0.522912516583797217486) * t183;
+    out[30] = t198 + PRT__R(0.484122918275927110647) * t185;
+    out[31] = t4 * t197 - t5 * t195;
+    out[32] = t6 * t193 - t22 * t191;
+    out[33] = t35 * t190 - t51 * t188;
+    out[34] = t71 * t186 - t93 * t181;
+    out[35] = t123 * t178 - t153 * t152;
+    const prt_real t199 = t4 * t123 - t5 * t153;
+    const prt_real t200 = f[36];
+    const prt_real t201 = t9 * t125 - t10 * t127;
+    const prt_real t202 = f[48];
+    const prt_real t203 = t9 * t127 + t10 * t125;
+    const prt_real t204 = t200 * t201 + t202 * t203;
+    const prt_real t205 = f[38];
+    const prt_real t206 = f[46];
+    const prt_real t207 = t205 * t73 + t206 * t75;
+    const prt_real t208 = PRT__R(0.879452954966893041481) * t204 + PRT__R(0.433012701892219323382) * t207;
+    const prt_real t209 = f[40];
+    const prt_real t210 = f[44];
+    const prt_real t211 = t209 * t11 + t210 * t14;
+    const prt_real t212 = t208 + PRT__R(0.19764235376052370825) * t211;
+    const prt_real t213 = f[37];
+    const prt_real t214 = f[47];
+    const prt_real t215 = t213 * t125 + t214 * t127;
+    const prt_real t216 = f[39];
+    const prt_real t217 = f[45];
+    const prt_real t218 = t216 * t37 + t217 * t39;
+    const prt_real t219 = PRT__R(0.507752400289747522529) * t215 + PRT__R(0.59292706128157112475) * t218;
+    const prt_real t220 = f[41];
+    const prt_real t221 = f[43];
+    const prt_real t222 = t220 * t9 + t221 * t10;
+    const prt_real t223 = t219 + PRT__R(0.625) * t222;
+    const prt_real t224 = t7 * t212 + t16 * t223;
+    const prt_real t225 = PRT__R(-0.463512405443478934294) * t204 + PRT__R(0.684653196881457641821) * t207;
+    const prt_real t226 = t225 + PRT__R(0.5625) * t211;
+    const prt_real t227 = PRT__R(-0.802827036166570563757) * t215 + PRT__R(0.0625) * t218;
+    const prt_real t228 = t227 + PRT__R(0.59292706128157112475) * t222;
+    const prt_real t229 = t59 * t226 + t61 * t228;
+    const prt_real t230 = PRT__R(0.879452954966893041481) * t224 + PRT__R(-0.463512405443478934294) * t229;
+    const prt_real t231 = PRT__R(0.108253175473054830845) * t204 + PRT__R(-0.586301969977928694321) * t207;
+    const prt_real t232 = t231 + PRT__R(0.802827036166570563757) * t211;
+    const prt_real t233 = PRT__R(0.3125) * t215 + PRT__R(-0.802827036166570563757) * t218;
+    const prt_real t234 = t233 + PRT__R(0.507752400289747522529) * t222;
+    const prt_real t235 = t171 * t232 + t174 * t234;
+    const prt_real t236 = t230 + PRT__R(0.108253175473054830845) * t235;
+    const prt_real t237 = t4 * t153 + t5 * t123;
+    const prt_real t238 = f[42];
+    const prt_real t239 = t210 * t11 - t209 * t14;
+    const prt_real t240 = PRT__R(-0.3125) * t238 + PRT__R(-0.452855523318419955429) * t239;
+    const prt_real t241 = t206 * t73 - t205 * t75;
+    const prt_real t242 = t202 * t201 - t200 * t203;
+    const prt_real t243 = (t240 + PRT__R(-0.496078370824610735719) * t241) + PRT__R(-0.671693289381396157476) * t242;
+    const prt_real t244 = PRT__R(-0.452855523318419955429) * t238 + PRT__R(-0.53125) * t239;
+    const prt_real t245 = (t244 + PRT__R(-0.171163299220364410455) * t241) + PRT__R(0.695268608165218401442) * t242;
+    const prt_real t246 = t221 * t9 - t220 * t10;
+    const prt_real t247 = t217 * t37 - t216 * t39;
+    const prt_real t248 = PRT__R(0.19764235376052370825) * t246 + PRT__R(0.5625) * t247;
+    const prt_real t249 = t214 * t125 - t213 * t127;
+    const prt_real t250 = t248 + PRT__R(0.802827036166570563757) * t249;
+    const prt_real t251 = t26 * t245 + t29 * t250;
+    const prt_real t252 = PRT__R(-0.671693289381396157476) * t243 + PRT__R(0.695268608165218401442) * t251;
+    const prt_real t253 = PRT__R(-0.496078370824610735719) * t238 + PRT__R(-0.171163299220364410455) * t239;
+    const prt_real t254 = (t253 + PRT__R(0.8125) * t241) + PRT__R(-0.253876200144873761264) * t242;
+    const prt_real t255 = PRT__R(0.433012701892219323382) * t246 + PRT__R(0.684653196881457641821) * t247;
+    const prt_real t256 = t255 + PRT__R(-0.586301969977928694321) * t249;
+    const prt_real t257 = t105 * t254 + t108 * t256;
+    const prt_real t258 = t7 * t171 - t16 * t174;
+    const prt_real t259 = PRT__R(-0.671693289381396157476) * t238 + PRT__R(0.695268608165218401442) * t239;
+    const prt_real t260 = (t259 + PRT__R(-0.253876200144873761264) * t241) + PRT__R(0.03125) * t242;
+    const prt_real t261 = t7 * t174 + t16 * t171;
+    const prt_real t262 = PRT__R(0.879452954966893041481) * t246 + PRT__R(-0.463512405443478934294) * t247;
+    const prt_real t263 = t262 + PRT__R(0.108253175473054830845) * t249;
+    const prt_real t264 = t258 * t260 + t261 * t263;
+    const prt_real t265 = (t252 + PRT__R(-0.253876200144873761264) * t257) + PRT__R(0.03125) * t264;
+    out[36] = t199 * t236 + t237 * t265;
+    const prt_real t266 = t171 * t234 - t174 * t232;
+    const prt_real t267 = t59 * t228 - t61 * t226;
+    const prt_real t268 = PRT__R(0.3125) * t266 + PRT__R(-0.802827036166570563757) * t267;
+    const prt_real t269 = t7 * t223 - t16 * t212;
+    const prt_real t270 = t268 + PRT__R(0.507752400289747522529) * t269;
+    const prt_real t271 = t258 * t263 - t261 * t260;
+    const prt_real t272 = t105 * t256 - t108 * t254;
+    const prt_real t273 = PRT__R(0.108253175473054830845) * t271 + PRT__R(-0.586301969977928694321) * t272;
+    const prt_real t274 = t26 * t250 - t29 * t245;
+    const prt_real t275 = t273 + PRT__R(0.802827036166570563757) * t274;
+    out[37] = t123 * t270 + t153 * t275;
+    const prt_real t276 = PRT__R(0.433012701892219323382) * t224 + PRT__R(0.684653196881457641821) * t229;
+    const prt_real t277 = t276 + PRT__R(-0.586301969977928694321) * t235;
+    const prt_real t278 = PRT__R(-0.496078370824610735719) * t243 + PRT__R(-0.171163299220364410455) * t251;
+    const prt_real t279 = (t278 + PRT__R(0.8125) * t257) + PRT__R(-0.253876200144873761264) * t264;
+    out[38] = t71 * t277 + t93 * t279;
+    const prt_real t280 = PRT__R(-0.802827036166570563757) * t266 + PRT__R(0.0625) * t267;
+    const prt_real t281 = t280 + PRT__R(0.59292706128157112475) * t269;
+    const prt_real t282 = PRT__R(-0.463512405443478934294) * t271 + PRT__R(0.684653196881457641821) * t272;
+    const prt_real t283 = t282 + PRT__R(0.5625) * t274;
+    out[39] = t35 * t281 + t51 * t283;
+    const prt_real t284 = PRT__R(0.19764235376052370825) * t224 + PRT__R(0.5625) * t229;
+    const prt_real t285 = t284 + PRT__R(0.802827036166570563757) * t235;
+    const prt_real t286 = PRT__R(-0.452855523318419955429) * t243 + PRT__R(-0.53125) * t251;
+    const prt_real t287 = (t286 + PRT__R(-0.171163299220364410455) * t257) + PRT__R(0.695268608165218401442) * t264;
+    out[40] = t6 * t285 + t22 * t287;
+    const prt_real t288 = PRT__R(0.507752400289747522529) * t266 + PRT__R(0.59292706128157112475) * t267;
+    const prt_real t289 = t288 + PRT__R(0.625) * t269;
+    const prt_real t290 = PRT__R(0.879452954966893041481) * t271 + PRT__R(0.433012701892219323382) * t272;
+    const prt_real t291 = t290 + PRT__R(0.19764235376052370825) * t274;
+    out[41] = t4 * t289 + t5 * t291;
+    const prt_real t292 = PRT__R(-0.3125) * t243 + PRT__R(-0.452855523318419955429) * t251;
+    out[42] = (t292 + PRT__R(-0.496078370824610735719) * t257) + PRT__R(-0.671693289381396157476) * t264;
+    out[43] = t4 * t291 - t5 * t289;
+    out[44] = t6 * t287 - t22 * t285;
+    out[45] = t35 * t283 - t51 * t281;
+    out[46] = t71 * t279 - t93 * t277;
+    out[47] = t123 * t275 - t153 * t270;
+    out[48] = t199 * t265 - t237 * t236;
+}
+
+/* rotation of one vector, 8 bands; turn: cos, sin of a, b, g: 738 multiplications, 428 additions (425 can fuse), 79 loads, 64 stores */
+PRT__STATIC void prt__sh_rotate_8(const prt_real *r, const prt_real *turn, const prt_real *f, 
+    prt_real *PRT__RESTRICT out) {
+    out[0] = f[0];
+    const prt_real t1 = f[1];
+    const prt_real t2 = f[2];
+    const prt_real t3 = f[3];
+    out[1] = (r[4] * t1 + r[5] * t2) + r[3] * t3;
+    out[2] = (r[7] * t1 + r[8] * t2) + r[6] * t3;
+    out[3] = (r[1] * t1 + r[2] * t2) + r[0] * t3;
+    const prt_real t4 = turn[0];
+    const prt_real t5 = turn[1];
+    const prt_real t6 = t4 * t4 - t5 * t5;
+    const prt_real t7 = turn[2];
+    const prt_real t8 = f[4];
+    const prt_real t9 = turn[4];
+    const prt_real t10 = turn[5];
+    const prt_real t11 = t9 * t9 - t10 * t10;
+    const prt_real t12 = f[8];
+    const prt_real t13 = t9 * t10;
+    const prt_real t14 = t13 + t13;
+    const prt_real t15 = t8 * t11 + t12 * t14;
+    const prt_real t16 = turn[3];
+    const prt_real t17 = f[5];
+    const prt_real t18 = f[7];
+    const prt_real t19 = t17 * t9 + t18 * t10;
+    const prt_real t20 = t7 * t15 + t16 * t19;
+    const prt_real t21 = t4 * t5;
+    const prt_real t22 = t21 + t21;
+    const prt_real t23 = f[6];
+    const prt_real t24 = t12 * t11 - t8 * t14;
+    const prt_real t25 = PRT__R(-0.5) * t23 + PRT__R(-0.866025403784438646764) * t24;
+    const prt_real t26 = t7 * t7 - t16 * t16;
+    const prt_real t27 = PRT__R(-0.866025403784438646764) * t23 + PRT__R(0.5) * t24;
+    const prt_real t28 = t7 * t16;
+    const prt_real t29 = t28 + t28;
+    const prt_real t30 = t18 * t9 - t17 * t10;
+    const prt_real t31 = t26 * t27 + t29 * t30;
+    const prt_real t32 = PRT__R(-0.866025403784438646764) * t25 + PRT__R(0.5) * t31;
+    out[4] = t6 * t20 + t22 * t32;
+    const prt_real t33 = t7 * t19 - t16 * t15;
+    const prt_real t34 = t26 * t30 - t29 * t27;
+    out[5] = t4 * t33 + t5 * t34;
+    out[6] = PRT__R(-0.5) * t25 + PRT__R(-0.866025403784438646764) * t31;
+    out[7] = t4 * t34 - t5 * t33;
+    out[8] = t6 * t32 - t22 * t20;
+    const prt_real t35 = t4 * t6 - t5 * t22;
+    const prt_real t36 = f[9];
+    const prt_real t37 = t9 * t11 - t10 * t14;
+    const prt_real t38 = f[15];
+    const prt_real t39 = t9 * t14 + t10 * t11;
+    const prt_real t40 = t36 * t37 + t38 * t39;
+    const prt_real t41 = f[11];
+    const prt_real t42 = f[13];
+    const prt_real t43 = t41 * t9 + t42 * t10;
+    const prt_real t44 = PRT__R(-0.790569415042094833) * t40 + PRT__R(-0.612372435695794524549) * t43;
+    const prt_real t45 = PRT__R(0.612372435695794524549) * t40 + PRT__R(-0.790569415042094833) * t43;
+    const prt_real t46 = f[10];
+    const prt_real t47 = f[14];
+    const prt_real t48 = t46 * t11 + t47 * t14;
+    const prt_real t49 = t26 * t45 + t29 * t48;
+    const prt_real t50 = PRT__R(-0.790569415042094833) * t44 + PRT__R(0.612372435695794524549) * t49;
+    const prt_real t51 = t4 * t22 + t5 * t6;
+    const prt_real t52 = t42 * t9 - t41 * t10;
+    const prt_real t53 = t38 * t37 - t36 * t39;
+    const prt_real t54 = PRT__R(-0.25) * t52 + PRT__R(-0.968245836551854221295) * t53;
+    const prt_real t55 = f[12];
+    const prt_real t56 = t47 * t11 - t46 * t14;
+    const prt_real t57 = PRT__R(-0.612372435695794524549) * t55 + PRT__R(-0.790569415042094833) * t56;
+    const prt_real t58 = t7 * t54 + t16 * t57;
+    const prt_real t59 = t7 * t26 - t16 * t29;
+    const prt_real t60 = PRT__R(-0.968245836551854221295) * t52 + PRT__R(0.25) * t53;
+    const prt_real t61 = t7 * t29 + t16 * t26;
+    const prt_real t62 = PRT__R(-0.790569415042094833) * t55 + PRT__R(0.612372435695794524549) * t56;
+    const prt_real t63 = t59 * t60 + t61 * t62;
+    const prt_real t64 = PRT__R(-0.968245836551854221295) * t58 + PRT__R(0.25) * t63;
+    out[9] = t35 * t50 + t51 * t64;
+    const prt_real t65 = t26 * t48 - t29 * t45;
+    const prt_real t66 = t59 * t62 - t61 * t60;
+    const prt_real t67 = t7 * t57 - t16 * t54;
+    const prt_real t68 = PRT__R(0.612372435695794524549) * t66 + PRT__R(-0.790569415042094833) * t67;
+    out[10] = t6 * t65 + t22 * t68;
+    const prt_real t69 = PRT__R(-0.612372435695794524549) * t44 + PRT__R(-0.790569415042094833) * t49;
+    const prt_real t70 = PRT__R(-0.25) * t58 + PRT__R(-0.968245836551854221295) * t63;
+    out[11] = t4 * t69 + t5 * t70;
+    out[12] = PRT__R(-0.790569415042094833) * t66 + PRT__R(-0.612372435695794524549) * t67;
+    out[13] = t4 * t70 - t5 * t69;
+    out[14] = t6 * t68 - t22 * t65;
+    out[15] = t35 * t64 - t51 * t50;
+    const prt_real t71 = t4 * t35 - t5 * t51;
+    const prt_real t72 = f[16];
+    const prt_real t73 = t9 * t37 - t10 * t39;
+    const prt_real t74 = f[24];
+    const prt_real t75 = t9 * t39 + t10 * t37;
+    const prt_real t76 = t72 * t73 + t74 * t75;
+    const prt_real t77 = f[18];
+    const prt_real t78 = f[22];
+    const prt_real t79 = t77 * t11 + t78 * t14;
+    const prt_real t80 = PRT__R(-0.935414346693485346396) * t76 + PRT__R(-0.3535533905932737622) * t79;
+    const prt_real t81 = f[17];
+    const prt_real t82 = f[23];
+    const prt_real t83 = t81 * t37 + t82 * t39;
+    const prt_real t84 = f[19];
+    const prt_real t85 = f[21];
+    const prt_real t86 = t84 * t9 + t85 * t10;
+    const prt_real t87 = PRT__R(-0.661437827766147647625) * t83 + PRT__R(-0.75) * t86;
+    const prt_real t88 = t7 * t80 + t16 * t87;
+    const prt_real t89 = PRT__R(0.3535533905932737622) * t76 + PRT__R(-0.935414346693485346396) * t79;
+    const prt_real t90 = PRT__R(0.75) * t83 + PRT__R(-0.661437827766147647625) * t86;
+    const prt_real t91 = t59 * t89 + t61 * t90;
+    const prt_real t92 = PRT__R(-0.935414346693485346396) * t88 + PRT__R(0.3535533905932737622) * t91;
+    const prt_real t93 = t4 * t51 + t5 * t35;
+    const prt_real t94 = f[20];
+    const prt_real t95 = t78 * t11 - t77 * t14;
+    const prt_real t96 = PRT__R(0.375) * t94 + PRT__R(0.559016994374947424102) * t95;
+    const prt_real t97 = t74 * t73 - t72 * t75;
+    const prt_real t98 = t96 + PRT__R(0.739509972887452005321) * t97;
+    const prt_real t99 = (PRT__R(0.559016994374947424102) * t94 + PRT__R(0.5) * t95) + PRT__R(-0.661437827766147647625) * t97;
+    const prt_real t100 = t85 * t9 - t84 * t10;
+    const prt_real t101 = t82 * t37 - t81 * t39;
+    const prt_real t102 = PRT__R(-0.3535533905932737622) * t100 + PRT__R(-0.935414346693485346396) * t101;
+    const prt_real t103 = t26 * t99 + t29 * t102;
+    const prt_real t104 = PRT__R(0.739509972887452005321) * t98 + PRT__R(-0.661437827766147647625) * t103;
+    const prt_real t105 = t7 * t59 - t16 * t61;
+    const prt_real t106 = PRT__R(0.739509972887452005321) * t94 + PRT__R(-0.661437827766147647625) * t95;
+    const prt_real t107 = t106 + PRT__R(0.125) * t97;
+    const prt_real t108 = t7 * t61 + t16 * t59;
+    const prt_real t109 = PRT__R(-0.935414346693485346396) * t100 + PRT__R(0.3535533905932737622) * t101;
+    const prt_real t110 = t105 * t107 + t108 * t109;
+    const prt_real t111 = t104 + PRT__R(0.125) * t110;
+    out[16] = t71 * t92 + t93 * t111;
+    const prt_real t112 = t59 * t90 - t61 * t89;
+    const prt_real t113 = t7 * t87 - t16 * t80;
+    const prt_real t114 = PRT__R(0.75) * t112 + PRT__R(-0.661437827766147647625) * t113;
+    const prt_real t115 = t105 * t109 - t108 * t107;
+    const prt_real t116 = t26 * t102 - t29 * t99;
+    const prt_real t117 = PRT__R(0.3535533905932737622) * t115 + PRT__R(-0.935414346693485346396) * t116;
+    out[17] = t35 * t114 + t51 * t117;
+    const prt_real t118 = PRT__R(-0.3535533905932737622) * t88 + PRT__R(-0.935414346693485346396) * t91;
+    const prt_real t119 = (PRT__R(0.559016994374947424102) * t98 + PRT__R(0.5) * t103) + PRT__R(-0.661437827766147647625) * t110;
+    out[18] = t6 * t118 + t22 * t119;
+    const prt_real t120 = PRT__R(-0.661437827766147647625) * t112 + PRT__R(-0.75) * t113;
+    const prt_real t121 = PRT__R(-0.935414346693485346396) * t115 + PRT__R(-0.3535533905932737622) * t116;
+    out[19] = t4 * t120 + t5 * t121;
+    const prt_real t122 = PRT__R(0.375) * t98 + PRT__R(0.559016994374947424102) * t103;
+    out[20] = t122 + PRT__R(0.739509972887452005321) * t110;
+    out[21] = t4 * t121 - t5 * t120;
+    out[22] = t6 * t119 - t22 * t118;
+    out[23] = t35 * t117 - t51 * t114;
+    out[24] = t71 * t111 - t93 * t92;
+    const prt_real t123 = t4 * t71 - t5 * t93;
+    const prt_real t124 = f[25];
+    const prt_real t125 = t9 * t73 - t10 * t75;
+    const prt_real t126 = f[35];
+    const prt_real t127 = t9 * t75 + t10 * t73;
+    const prt_real t128 = t124 * t125 + t126 * t127;
+    const prt_real t129 = f[27];
+    const prt_real t130 = f[33];
+    const prt_real t131 = t129 * t37 + t130 * t39;
+    const prt_real t132 = PRT__R(0.701560760020114009797) * t128 + PRT__R(0.522912516583797217486) * t131;
+    const prt_real t133 = f[29];
+    const prt_real t134 = f[31];
+    const prt_real t135 = t133 * t9 + t134 * t10;
+    const prt_real t136 = t132 + PRT__R(0.484122918275927110647) * t135;
+    const prt_real t137 = PRT__R(-0.684653196881457641821) * t128 + PRT__R(0.306186217847897262275) * t131;
+    const prt_real t138 = t137 + PRT__R(0.661437827766147647625) * t135;
+    const prt_real t139 = f[26];
+    const prt_real t140 = f[34];
+    const prt_real t141 = t139 * t73 + t140 * t75;
+    const prt_real t142 = f[28];
+    const prt_real t143 = f[32];
+    const prt_real t144 = t142 * t11 + t143 * t14;
+    const prt_real t145 = PRT__R(-0.866025403784438646764) * t141 + PRT__R(-0.5) * t144;
+    const prt_real t146 = t26 * t138 + t29 * t145;
+    const prt_real t147 = PRT__R(0.701560760020114009797) * t136 + PRT__R(-0.684653196881457641821) * t146;
+    const prt_real t148 = PRT__R(0.19764235376052370825) * t128 + PRT__R(-0.795495128834865964951) * t131;
+    const prt_real t149 = t148 + PRT__R(0.572821961869480000824) * t135;
+    const prt_real t150 = PRT__R(0.5) * t141 + PRT__R(-0.866025403784438646764) * t144;
+    const prt_real t151 = t105 * t149 + t108 * t150;
+    const prt_real t152 = t147 + PRT__R(0.19764235376052370825) * t151;
+    const prt_real t153 = t4 * t93 + t5 * t71;
+    const prt_real t154 = t134 * t9 - t133 * t10;
+    const prt_real t155 = t130 * t37 - t129 * t39;
+    const prt_real t156 = PRT__R(0.125) * t154 + PRT__R(0.405046293650491264435) * t155;
+    const prt_real t157 = t126 * t125 - t124 * t127;
+    const prt_real t158 = t156 + PRT__R(0.905711046636839910857) * t157;
+    const prt_real t159 = f[30];
+    const prt_real t160 = t143 * t11 - t142 * t14;
+    const prt_real t161 = PRT__R(0.484122918275927110647) * t159 + PRT__R(0.661437827766147647625) * t160;
+    const prt_real t162 = t140 * t73 - t139 * t75;
+    const prt_real t163 = t161 + PRT__R(0.572821961869480000824) * t162;
+    const prt_real t164 = t7 * t158 + t16 * t163;
+    const prt_real t165 = PRT__R(0.405046293650491264435) * t154 + PRT__R(0.8125) * t155;
+    const prt_real t166 = t165 + PRT__R(-0.419262745781210568077) * t157;
+    const prt_real t167 = PRT__R(0.522912516583797217486) * t159 + PRT__R(0.306186217847897262275) * t160;
+    const prt_real t168 = t167 + PRT__R(-0.795495128834865964951) * t162;
+    const prt_real t169 = t59 * t166 + t61 * t168;
+    const prt_real t170 = PRT__R(0.905711046636839910857) * t164 + PRT__R(-0.419262745781210568077) * t169;
+    const prt_real t171 = t7 * t105 - t16 * t108;
+    const prt_real t172 = PRT__R(0.905711046636839910857) * t154 + PRT__R(-0.419262745781210568077) * t155;
+    const prt_real t173 = t172 + PRT__R(0.0625) * t157;
+    const prt_real t174 = t7 * t108 + t16 * t105;
+    const prt_real t175 = PRT__R(0.701560760020114009797) * t159 + PRT__R(-0.684653196881457641821) * t160;
+    const prt_real t176 = t175 + PRT__R(0.19764235376052370825) * t162;
+    const prt_real t177 = t171 * t173 + t174 * t176;
+    const prt_real t178 = t170 + PRT__R(0.0625) * t177;
+    out[25] = t123 * t152 + t153 * t178;
+    const prt_real t179 = t105 * t150 - t108 * t149;
+    const prt_real t180 = t26 * t145 - t29 * t138;
+    const prt_real t181 = PRT__R(0.5) * t179 + PRT__R(-0.866025403784438646764) * t180;
+    const prt_real t182 = t171 * t176 - t174 * t173;
+    const prt_real t183 = t59 * t168 - t61 * t166;
+    const prt_real t184 = PRT__R(0.19764235376052370825) * t182 + PRT__R(-0.795495128834865964951) * t183;
+    const prt_real t185 = t7 * t163 - t16 * t158;
+    const prt_real t186 = t184 + PRT__R(0.572821961869480000824) * t185;
+    out[26] = t71 * t181 + t93 * t186;
+    const prt_real t187 = PRT__R(0.522912516583797217486) * t136 + PRT__R(0.306186217847897262275) * t146;
+    const prt_real t188 = t187 + PRT__R(-0.795495128834865964951) * t151;
+    const prt_real t189 = PRT__R(0.405046293650491264435) * t164 + PRT__R(0.8125) * t169;
+    const prt_real t190 = t189 + PRT__R(-0.419262745781210568077) * t177;
+    out[27] = t35 * t188 + t51 * t190;
+    const prt_real t191 = PRT__R(-0.866025403784438646764) * t179 + PRT__R(-0.5) * t180;
+    const prt_real t192 = PRT__R(-0.684653196881457641821) * t182 + PRT__R(0.306186217847897262275) * t183;
+    const prt_real t193 = t192 + PRT__R(0.661437827766147647625) * t185;
+    out[28] = t6 * t191 + t22 * t193;
+    const prt_real t194 = PRT__R(0.484122918275927110647) * t136 + PRT__R(0.661437827766147647625) * t146;
+    const prt_real t195 = t194 + PRT__R(0.572821961869480000824) * t151;
+    const prt_real t196 = PRT__R(0.125) * t164 + PRT__R(0.405046293650491264435) * t169;
+    const prt_real t197 = t196 + PRT__R(0.905711046636839910857) * t177;
+    out[29] = t4 * t195 + t5 * t197;
+    const prt_real t198 = PRT__R(0.701560760020114009797) * t182 + PRT__R(0.522912516583797217486) * t183;
+    out[30] = t198 + PRT__R(0.484122918275927110647) * t185;
+    out[31] = t4 * t197 - t5 * t195;
+    out[32] = t6 * t193 - t22 * t191;
+    out[33] = t35 * t190 - t51 * t188;
+    out[34] = t71 * t186 - t93 * t181;
+    out[35] = t123 * t178 - t153 * t152;
+    const prt_real t199 = t4 * t123 - t5 * t153;
+    const prt_real t200 = f[36];
+    const prt_real t201 = t9 * t125 - t10 * t127;
+    const prt_real t202 = f[48];
+    const prt_real t203 = t9 * t127 + t10 * t125;
+    const prt_real t204 = t200 * t201 + t202 * t203;
+    const prt_real t205 = f[38];
+    const prt_real t206 = f[46];
+    const prt_real t207 = t205 * t73 + t206 * t75;
+    const prt_real t208 = PRT__R(0.879452954966893041481) * t204 + PRT__R(0.433012701892219323382) * t207;
+    const prt_real t209 = f[40];
+    const prt_real t210 = f[44];
+    const prt_real t211 = t209 * t11 + t210 * t14;
+    const prt_real t212 = t208 + PRT__R(0.19764235376052370825) * t211;
+    const prt_real t213 = f[37];
+    const prt_real t214 = f[47];
+    const prt_real t215 = t213 * t125 + t214 * t127;
+    const prt_real t216 = f[39];
+    const prt_real t217 = f[45];
+    const prt_real t218 = t216 * t37 + t217 * t39;
+    const prt_real t219 = PRT__R(0.507752400289747522529) * t215 + PRT__R(0.59292706128157112475) * t218;
+    const prt_real t220 = f[41];
+    const prt_real t221 = f[43];
+    const prt_real t222 = t220 * t9 + t221 * t10;
+    const prt_real t223 = t219 + PRT__R(0.625) * t222;
+    const prt_real t224 = t7 * t212 + t16 * t223;
+    const prt_real t225 = PRT__R(-0.463512405443478934294) * t204 + PRT__R(0.684653196881457641821) * t207;
+    const prt_real t226 = t225 + PRT__R(0.5625) * t211;
+    const prt_real t227 = PRT__R(-0.802827036166570563757) * t215 + PRT__R(0.0625) * t218;
+    const prt_real t228 = t227 + PRT__R(0.59292706128157112475) * t222;
+    const prt_real t229 = t59 * t226 + t61 * t228;
+    const prt_real t230 = PRT__R(0.879452954966893041481) * t224 + PRT__R(-0.463512405443478934294) * t229;
+    const prt_real t231 = PRT__R(0.108253175473054830845) * t204 + PRT__R(-0.586301969977928694321) * t207;
+    const prt_real t232 = t231 + PRT__R(0.802827036166570563757) * t211;
+    const prt_real t233 = PRT__R(0.3125) * t215 + PRT__R(-0.802827036166570563757) * t218;
+    const prt_real t234 = t233 + PRT__R(0.507752400289747522529) * t222;
+    const prt_real t235 = t171 * t232 + t174 * t234;
+    const prt_real t236 = t230 + PRT__R(0.108253175473054830845) * t235;
+    const prt_real t237 = t4 * t153 + t5 * t123;
+    const prt_real t238 = f[42];
+    const prt_real t239 = t210 * t11 - t209 * t14;
+    const prt_real t240 = PRT__R(-0.3125) * t238 + PRT__R(-0.452855523318419955429) * t239;
+    const prt_real t241 = t206 * t73 - t205 * t75;
+    const prt_real t242 = t202 * t201 - t200 * t203;
+    const prt_real t243 = (t240 + PRT__R(-0.496078370824610735719) * t241) + PRT__R(-0.671693289381396157476) * t242;
+    const prt_real t244 = PRT__R(-0.452855523318419955429) * t238 + PRT__R(-0.53125) * t239;
+    const prt_real t245 = (t244 + PRT__R(-0.171163299220364410455) * t241) + PRT__R(0.695268608165218401442) * t242;
+    const prt_real t246 = t221 * t9 - t220 * t10;
+    const prt_real t247 = t217 * t37 - t216 * t39;
+    const prt_real t248 = PRT__R(0.19764235376052370825) * t246 + PRT__R(0.5625) * t247;
+    const prt_real t249 = t214 * t125 - t213 * t127;
+    const prt_real t250 = t248 + PRT__R(0.802827036166570563757) * t249;
+    const prt_real t251 = t26 * t245 + t29 * t250;
+    const prt_real t252 = PRT__R(-0.671693289381396157476) * t243 + PRT__R(0.695268608165218401442) * t251;
+    const prt_real t253 = PRT__R(-0.496078370824610735719) * t238 + PRT__R(-0.171163299220364410455) * t239;
+    const prt_real t254 = (t253 + PRT__R(0.8125) * t241) + PRT__R(-0.253876200144873761264) * t242;
+    const prt_real t255 = PRT__R(0.433012701892219323382) * t246 + PRT__R(0.684653196881457641821) * t247;
+    const prt_real t256 = t255 + PRT__R(-0.586301969977928694321) * t249;
+    const prt_real t257 = t105 * t254 + t108 * t256;
+    const prt_real t258 = t7 * t171 - t16 * t174;
+    const prt_real t259 = PRT__R(-0.671693289381396157476) * t238 + PRT__R(0.695268608165218401442) * t239;
+    const prt_real t260 = (t259 + PRT__R(-0.253876200144873761264) * t241) + PRT__R(0.03125) * t242;
+    const prt_real t261 = t7 * t174 + t16 * t171;
+    const prt_real t262 = PRT__R(0.879452954966893041481) * t246 + PRT__R(-0.463512405443478934294) * t247;
+    const prt_real t263 = t262 + PRT__R(0.108253175473054830845) * t249;
+    const prt_real t264 = t258 * t260 + t261 * t263;
+    const prt_real t265 = (t252 + PRT__R(-0.253876200144873761264) * t257) + PRT__R(0.03125) * t264;
+    out[36] = t199 * t236 + t237 * t265;
+    const prt_real t266 = t171 * t234 - t174 * t232;
+    const prt_real t267 = t59 * t228 - t61 * t226;
+    const prt_real t268 = PRT__R(0.3125) * t266 + PRT__R(-0.802827036166570563757) * t267;
+    const prt_real t269 = t7 * t223 - t16 * t212;
+    const prt_real t270 = t268 + PRT__R(0.507752400289747522529) * t269;
+    const prt_real t271 = t258 * t263 - t261 * t260;
+    const prt_real t272 = t105 * t256 - t108 * t254;
+    const prt_real t273 = PRT__R(0.108253175473054830845) * t271 + PRT__R(-0.586301969977928694321) * t272;
+    const prt_real t274 = t26 * t250 - t29 * t245;
+    const prt_real t275 = t273 + PRT__R(0.802827036166570563757) * t274;
+    out[37] = t123 * t270 + t153 * t275;
+    const prt_real t276 = PRT__R(0.433012701892219323382) * t224 + PRT__R(0.684653196881457641821) * t229;
+    const prt_real t277 = t276 + PRT__R(-0.586301969977928694321) * t235;
+    const prt_real t278 = PRT__R(-0.496078370824610735719) * t243 + PRT__R(-0.171163299220364410455) * t251;
+    const prt_real t279 = (t278 + PRT__R(0.8125) * t257) + PRT__R(-0.253876200144873761264) * t264;
+    out[38] = t71 * t277 + t93 * t279;
+    const prt_real t280 = PRT__R(-0.802827036166570563757) * t266 + PRT__R(0.0625) * t267;
+    const prt_real t281 = t280 + PRT__R(0.59292706128157112475) * t269;
+    const prt_real t282 = PRT__R(-0.463512405443478934294) * t271 + PRT__R(0.684653196881457641821) * t272;
+    const prt_real t283 = t282 + PRT__R(0.5625) * t274;
+    out[39] = t35 * t281 + t51 * t283;
+    const prt_real t284 = PRT__R(0.19764235376052370825) * t224 + PRT__R(0.5625) * t229;
+    const prt_real t285 = t284 + PRT__R(0.802827036166570563757) * t235;
+    const prt_real t286 = PRT__R(-0.452855523318419955429) * t243 + PRT__R(-0.53125) * t251;
+    const prt_real t287 = (t286 + PRT__R(-0.171163299220364410455) * t257) + PRT__R(0.695268608165218401442) * t264;
+    out[40] = t6 * t285 + t22 * t287;
+    const prt_real t288 = PRT__R(0.507752400289747522529) * t266 + PRT__R(0.59292706128157112475) * t267;
+    const prt_real t289 = t288 + PRT__R(0.625) * t269;
+    const prt_real t290 = PRT__R(0.879452954966893041481) * t271 + PRT__R(0.433012701892219323382) * t272;
+    const prt_real t291 = t290 + PRT__R(0.19764235376052370825) * t274;
+    out[41] = t4 * t289 + t5 * t291;
+    const prt_real t292 = PRT__R(-0.3125) * t243 + PRT__R(-0.452855523318419955429) * t251;
+    out[42] = (t292 + PRT__R(-0.496078370824610735719) * t257) + PRT__R(-0.671693289381396157476) * t264;
+    out[43] = t4 * t291 - t5 * t289;
+    out[44] = t6 * t287 - t22 * t285;
+    out[45] = t35 * t283 - t51 * t281;
+    out[46] = t71 * t279 - t93 * t277;
+    out[47] = t123 * t275 - t153 * t270;
+    out[48] = t199 * t265 - t237 * t236;
+    const prt_real t293 = t4 * t199 - t5 * t237;
+    const prt_real t294 = f[49];
+    const prt_real t295 = t9 * t201 - t10 * t203;
+    const prt_real t296 = f[63];
+    const prt_real t297 = t9 * t203 + t10 * t201;
+    const prt_real t298 = t294 * t295 + t296 * t297;
+    const prt_real t299 = f[51];
+    const prt_real t300 = f[61];
+    const prt_real t301 = t299 * t125 + t300 * t127;
+    const prt_real t302 = PRT__R(-0.64725984928774934788) * t298 + PRT__R(-0.47495887979908323849) * t301;
+    const prt_real t303 = f[53];
+    const prt_real t304 = f[59];
+    const prt_real t305 = t303 * t37 + t304 * t39;
+    const prt_real t306 = f[55];
+    const prt_real t307 = f[57];
+    const prt_real t308 = t306 * t9 + t307 * t10;
+    const prt_real t309 = (t302 + PRT__R(-0.429616471402110000618) * t305) + PRT__R(-0.413398642353842279766) * t308;
+    const prt_real t310 = PRT__R(0.699120541287409177209) * t298 + PRT__R(-0.0732877462472410867901) * t301;
+    const prt_real t311 = (t310 + PRT__R(-0.419844651329512592613) * t305) + PRT__R(-0.574099158464807366765) * t308;
+    const prt_real t312 = f[50];
+    const prt_real t313 = f[62];
+    const prt_real t314 = t312 * t201 + t313 * t203;
+    const prt_real t315 = f[52];
+    const prt_real t316 = f[60];
+    const prt_real t317 = t315 * t73 + t316 * t75;
+    const prt_real t318 = PRT__R(0.747391296443837376321) * t314 + PRT__R(0.586301969977928694321) * t317;
+    const prt_real t319 = f[54];
+    const prt_real t320 = f[58];
+    const prt_real t321 = t319 * t11 + t320 * t14;
+    const prt_real t322 = t318 + PRT__R(0.3125) * t321;
+    const prt_real t323 = t26 * t311 + t29 * t322;
+    const prt_real t324 = PRT__R(-0.64725984928774934788) * t309 + PRT__R(0.699120541287409177209) * t323;
+    const prt_real t325 = PRT__R(-0.29810600044279551536) * t298 + PRT__R(0.78125) * t301;
+    const prt_real t326 = (t325 + PRT__R(0.103644524698606245285) * t305) + PRT__R(-0.538552748112940186861) * t308;
+    const prt_real t327 = PRT__R(-0.637377439199098103754) * t314 + PRT__R(0.5) * t317;
+    const prt_real t328 = t327 + PRT__R(0.586301969977928694321) * t321;
+    const prt_real t329 = t105 * t326 + t108 * t328;
+    const prt_real t330 = PRT__R(0.0584633966683428341497) * t298 + PRT__R(-0.398360899499436314846) * t301;
+    const prt_real t331 = (t330 + PRT__R(0.792728180872863885852) * t305) + PRT__R(-0.457681828621150306643) * t308;
+    const prt_real t332 = PRT__R(0.1875) * t314 + PRT__R(-0.637377439199098103754) * t317;
+    const prt_real t333 = t332 + PRT__R(0.747391296443837376321) * t321;
+    const prt_real t334 = t258 * t331 + t261 * t333;
+    const prt_real t335 = (t324 + PRT__R(-0.29810600044279551536) * t329) + PRT__R(0.0584633966683428341497) * t334;
+    const prt_real t336 = t4 * t237 + t5 * t199;
+    const prt_real t337 = t307 * t9 - t306 * t10;
+    const prt_real t338 = t304 * t37 - t303 * t39;
+    const prt_real t339 = PRT__R(-0.078125) * t337 + PRT__R(-0.243569644814373369402) * t338;
+    const prt_real t340 = t300 * t125 - t299 * t127;
+    const prt_real t341 = t296 * t295 - t294 * t297;
+    const prt_real t342 = (t339 + PRT__R(-0.448793956760783489051) * t340) + PRT__R(-0.856244297426266074633) * t341;
+    const prt_real t343 = f[56];
+    const prt_real t344 = t320 * t11 - t319 * t14;
+    const prt_real t345 = PRT__R(-0.413398642353842279766) * t343 + PRT__R(-0.574099158464807366765) * t344;
+    const prt_real t346 = t316 * t73 - t315 * t75;
+    const prt_real t347 = t313 * t201 - t312 * t203;
+    const prt_real t348 = (t345 + PRT__R(-0.538552748112940186861) * t346) + PRT__R(-0.457681828621150306643) * t347;
+    const prt_real t349 = t7 * t342 + t16 * t348;
+    const prt_real t350 = PRT__R(-0.243569644814373369402) * t337 + PRT__R(-0.609375) * t338;
+    const prt_real t351 = (t350 + PRT__R(-0.570044885842334349067) * t340) + PRT__R(0.494352875611136705361) * t341;
+    const prt_real t352 = PRT__R(-0.429616471402110000618) * t343 + PRT__R(-0.419844651329512592613) * t344;
+    const prt_real t353 = (t352 + PRT__R(0.103644524698606245285) * t346) + PRT__R(0.792728180872863885852) * t347;
+    const prt_real t354 = t59 * t351 + t61 * t353;
+    const prt_real t355 = PRT__R(-0.856244297426266074633) * t349 + PRT__R(0.494352875611136705361) * t354;
+    const prt_real t356 = PRT__R(-0.448793956760783489051) * t337 + PRT__R(-0.570044885842334349067) * t338;
+    const prt_real t357 = (t356 + PRT__R(0.671875) * t340) + PRT__R(-0.14905300022139775768) * t341;
+    const prt_real t358 = PRT__R(-0.47495887979908323849) * t343 + PRT__R(-0.0732877462472410867901) * t344;
+    const prt_real t359 = (t358 + PRT__R(0.78125) * t346) + PRT__R(-0.398360899499436314846) * t347;
+    const prt_real t360 = t171 * t357 + t174 * t359;
+    const prt_real t361 = t7 * t258 - t16 * t261;
+    const prt_real t362 = PRT__R(-0.856244297426266074633) * t337 + PRT__R(0.494352875611136705361) * t338;
+    const prt_real t363 = (t362 + PRT__R(-0.14905300022139775768) * t340) + PRT__R(0.015625) * t341;
+    const prt_real t364 = t7 * t261 + t16 * t258;
+    const prt_real t365 = PRT__R(-0.64725984928774934788) * t343 + PRT__R(0.699120541287409177209) * t344;
+    const prt_real t366 = (t365 + PRT__R(-0.29810600044279551536) * t346) + PRT__R(0.0584633966683428341497) * t347;
+    const prt_real t367 = t361 * t363 + t364 * t366;
+    const prt_real t368 = (t355 + PRT__R(-0.14905300022139775768) * t360) + PRT__R(0.015625) * t367;
+    out[49] = t293 * t335 + t336 * t368;
+    const prt_real t369 = t258 * t333 - t261 * t331;
+    const prt_real t370 = t105 * t328 - t108 * t326;
+    const prt_real t371 = PRT__R(0.1875) * t369 + PRT__R(-0.637377439199098103754) * t370;
+    const prt_real t372 = t26 * t322 - t29 * t311;
+    const prt_real t373 = t371 + PRT__R(0.747391296443837376321) * t372;
+    const prt_real t374 = t361 * t366 - t364 * t363;
+    const prt_real t375 = t171 * t359 - t174 * t357;
+    const prt_real t376 = PRT__R(0.0584633966683428341497) * t374 + PRT__R(-0.398360899499436314846) * t375;
+    const prt_real t377 = t59 * t353 - t61 * t351;
+    const prt_real t378 = t7 * t348 - t16 * t342;
+    const prt_real t379 = (t376 + PRT__R(0.792728180872863885852) * t377) + PRT__R(-0.457681828621150306643) * t378;
+    out[50] = t199 * t373 + t237 * t379;
+    const prt_real t380 = PRT__R(-0.47495887979908323849) * t309 + PRT__R(-0.0732877462472410867901) * t323;
+    const prt_real t381 = (t380 + PRT__R(0.78125) * t329) + PRT__R(-0.398360899499436314846) * t334;
+    const prt_real t382 = PRT__R(-0.448793956760783489051) * t349 + PRT__R(-0.570044885842334349067) * t354;
+    const prt_real t383 = (t382 + PRT__R(0.671875) * t360) + PRT__R(-0.14905300022139775768) * t367;
+    out[51] = t123 * t381 + t153 * t383;
+    const prt_real t384 = PRT__R(-0.637377439199098103754) * t369 + PRT__R(0.5) * t370;
+    const prt_real t385 = t384 + PRT__R(0.586301969977928694321) * t372;
+    const prt_real t386 = PRT__R(-0.29810600044279551536) * t374 + PRT__R(0.78125) * t375;
+    const prt_real t387 = (t386 + PRT__R(0.103644524698606245285) * t377) + PRT__R(-0.538552748112940186861) * t378;
+    out[52] = t71 * t385 + t93 * t387;
+    const prt_real t388 = PRT__R(-0.429616471402110000618) * t309 + PRT__R(-0.419844651329512592613) * t323;
+    const prt_real t389 = (t388 + PRT__R(0.103644524698606245285) * t329) + PRT__R(0.792728180872863885852) * t334;
+    const prt_real t390 = PRT__R(-0.243569644814373369402) * t349 + PRT__R(-0.609375) * t354;
+    const prt_real t391 = (t390 + PRT__R(-0.570044885842334349067) * t360) + PRT__R(0.494352875611136705361) * t367;
+    out[53] = t35 * t389 + t51 * t391;
+    const prt_real t392 = PRT__R(0.747391296443837376321) * t369 + PRT__R(0.586301969977928694321) * t370;
+    const prt_real t393 = t392 + PRT__R(0.3125) * t372;
+    const prt_real t394 = PRT__R(0.699120541287409177209) * t374 + PRT__R(-0.0732877462472410867901) * t375;
+    const prt_real t395 = (t394 + PRT__R(-0.419844651329512592613) * t377) + PRT__R(-0.574099158464807366765) * t378;
+    out[54] = t6 * t393 + t22 * t395;
+    const prt_real t396 = PRT__R(-0.413398642353842279766) * t309 + PRT__R(-0.574099158464807366765) * t323;
+    const prt_real t397 = (t396 + PRT__R(-0.538552748112940186861) * t329) + PRT__R(-0.457681828621150306643) * t334;
+    const prt_real t398 = PRT__R(-0.078125) * t349 + PRT__R(-0.243569644814373369402) * t354;
+    const prt_real t399 = (t398 + PRT__R(-0.448793956760783489051) * t360) + PRT__R(-0.856244297426266074633) * t367;
+    out[55] = t4 * t397 + t5 * t399;
+    const prt_real t400 = PRT__R(-0.64725984928774934788) * t374 + PRT__R(-0.47495887979908323849) * t375;
+    out[56] = (t400 + PRT__R(-0.429616471402110000618) * t377) + PRT__R(-0.413398642353842279766) * t378;
+    out[57] = t4 * t399 - t5 * t397;
+    out[58] = t6 * t395 - t22 * t393;
+    out[59] = t35 * t391 - t51 * t389;
+    out[60] = t71 * t387 - t93 * t385;
+    out[61] = t123 * t383 - t153 * t381;
+    out[62] = t199 * t379 - t237 * t373;
+    out[63] = t293 * t368 - t336 * t335;
+}
+
+/* END GENERATED */
+
+#if PRT__QUADS
+/* BEGIN GENERATED: prt_codegen --table swap_yz */
+/* y and z swapped in bands 2 and 3 */
+PRT__INLINE void prt__swap_yz_3(prt__classes *v) {
+    static const prt_real c[][4] = {
+        { PRT__R(-0.612372435695794524549), PRT__R(0.612372435695794524549), PRT__R(-0.5), PRT__R(0.5) },
+        { PRT__R(-0.790569415042094833), PRT__R(-0.790569415042094833), PRT__R(-0.866025403784438646764), PRT__R(-0.866025403784438646764) },
+        { PRT__R(-0.25), PRT__R(0.25), PRT__R(1.0), 0 },
+        { PRT__R(-0.968245836551854221295), PRT__R(-0.968245836551854221295), 0, 0 },
+        { PRT__R(-0.612372435695794524549), PRT__R(0.612372435695794524549), PRT__R(1.0), 0 },
+        { PRT__R(-0.790569415042094833), PRT__R(-0.790569415042094833), 0, 0 }
+    };
+    prt__quad even_cos = v->even_cos;
+    prt__quad odd_cos = v->odd_cos;
+    prt__quad even_sin = v->even_sin;
+    prt__quad odd_sin = v->odd_sin;
+    v->even_cos = prt__quad_load(c[0]) * PRT__QUAD_SHUFFLE(odd_sin, even_cos, 0, 1, 6, 7);
+    v->even_cos += prt__quad_load(c[1]) * PRT__QUAD_SHUFFLE(odd_sin, even_cos, 1, 0, 7, 6);
+    v->odd_cos = prt__quad_load(c[2]) * PRT__QUAD_SHUFFLE(odd_cos, even_sin, 0, 1, 7, 7);
+    v->odd_cos += prt__quad_load(c[3]) * PRT__QUAD_SHUFFLE(odd_cos, even_sin, 1, 0, 7, 7);
+    v->even_sin = PRT__QUAD_SHUFFLE(even_sin, odd_cos, 1, 1, 6, 6);
+    v->odd_sin = prt__quad_load(c[4]) * PRT__QUAD_SHUFFLE(even_cos, odd_sin, 0, 1, 6, 6);
+    v->odd_sin += prt__quad_load(c[5]) * PRT__QUAD_SHUFFLE(even_cos, odd_sin, 1, 0, 6, 6);
+}
+
+/* y and z swapped in band 4 */
+PRT__INLINE void prt__swap_yz_4(prt__classes *v) {
+    static const prt_real c[][4] = {
+        { PRT__R(0.375), PRT__R(0.5), PRT__R(0.125), 0 },
+        { PRT__R(0.559016994374947424102), PRT__R(-0.661437827766147647625), PRT__R(0.739509972887452005321), 0 },
+        { PRT__R(0.739509972887452005321), PRT__R(0.559016994374947424102), PRT__R(-0.661437827766147647625), 0 },
+        { PRT__R(-0.3535533905932737622), PRT__R(0.3535533905932737622), 0, 0 },
+        { PRT__R(-0.935414346693485346396), PRT__R(-0.935414346693485346396), 0, 0 },
+        { 0, PRT__R(-0.3535533905932737622), PRT__R(0.3535533905932737622), 0 },
+        { 0, PRT__R(-0.935414346693485346396), PRT__R(-0.935414346693485346396), 0 },
+        { PRT__R(-0.75), PRT__R(0.75), 0, 0 },
+        { PRT__R(-0.661437827766147647625), PRT__R(-0.661437827766147647625), 0, 0 }
+    };
+    prt__quad even_cos = v->even_cos;
+    prt__quad odd_cos = v->odd_cos;
+    prt__quad even_sin = v->even_sin;
+    prt__quad odd_sin = v->odd_sin;
+    v->even_cos = prt__quad_load(c[0]) * even_cos;
+    v->even_cos += prt__quad_load(c[1]) * PRT__QUAD_SHUFFLE(even_cos, even_cos, 1, 2, 0, 0);
+    v->even_cos += prt__quad_load(c[2]) * PRT__QUAD_SHUFFLE(even_cos, even_cos, 2, 0, 1, 1);
+    v->odd_cos = prt__quad_load(c[3]) * PRT__QUAD_SHUFFLE(even_sin, even_sin, 1, 2, 2, 2);
+    v->odd_cos += prt__quad_load(c[4]) * PRT__QUAD_SHUFFLE(even_sin, even_sin, 2, 1, 1, 1);
+    v->even_sin = prt__quad_load(c[5]) * PRT__QUAD_SHUFFLE(odd_cos, odd_cos, 0, 0, 1, 1);
+    v->even_sin += prt__quad_load(c[6]) * PRT__QUAD_SHUFFLE(odd_cos, odd_cos, 1, 1, 0, 0);
+    v->odd_sin = prt__quad_load(c[7]) * odd_sin;
+    v->odd_sin += prt__quad_load(c[8]) * PRT__QUAD_SHUFFLE(odd_sin, odd_sin, 1, 0, 0, 0);
+}
+
+/* y and z swapped in band 5 */
+PRT__INLINE void prt__swap_yz_5(prt__classes *v) {
+    static const prt_real c[][4] = {
+        { PRT__R(0.484122918275927110647), PRT__R(0.306186217847897262275), PRT__R(0.19764235376052370825), 0 },
+        { PRT__R(0.522912516583797217486), PRT__R(-0.684653196881457641821), PRT__R(0.572821961869480000824), 0 },
+        { PRT__R(0.701560760020114009797), PRT__R(0.661437827766147647625), PRT__R(-0.795495128834865964951), 0 },
+        { PRT__R(0.125), PRT__R(0.8125), PRT__R(0.0625), 0 },
+        { PRT__R(0.405046293650491264435), PRT__R(-0.419262745781210568077), PRT__R(0.905711046636839910857), 0 },
+        { PRT__R(0.905711046636839910857), PRT__R(0.405046293650491264435), PRT__R(-0.419262745781210568077), 0 },
+        { 0, PRT__R(-0.5), PRT__R(0.5), 0 },
+        { 0, PRT__R(-0.866025403784438646764), PRT__R(-0.866025403784438646764), 0 },
+        { PRT__R(0.484122918275927110647), PRT__R(0.306186217847897262275), PRT__R(0.19764235376052370825), 0 },
+        { PRT__R(0.661437827766147647625), PRT__R(-0.795495128834865964951), PRT__R(0.701560760020114009797), 0 },
+        { PRT__R(0.572821961869480000824), PRT__R(0.522912516583797217486), PRT__R(-0.684653196881457641821), 0 }
+    };
+    prt__quad even_cos = v->even_cos;
+    prt__quad odd_cos = v->odd_cos;
+    prt__quad even_sin = v->even_sin;
+    prt__quad odd_sin = v->odd_sin;
+    v->even_cos = prt__quad_load(c[0]) * odd_sin;
+    v->even_cos += prt__quad_load(c[1]) * PRT__QUAD_SHUFFLE(odd_sin, odd_sin, 1, 2, 0, 0);
+    v->even_cos += prt__quad_load(c[2]) * PRT__QUAD_SHUFFLE(odd_sin, odd_sin, 2, 0, 1, 1);
+    v->odd_cos = prt__quad_load(c[3]) * odd_cos;
+    v->odd_cos += prt__quad_load(c[4]) * PRT__QUAD_SHUFFLE(odd_cos, odd_cos, 1, 2, 0, 0);
+    v->odd_cos += prt__quad_load(c[5]) * PRT__QUAD_SHUFFLE(odd_cos, odd_cos, 2, 0, 1, 1);
+    v->even_sin = prt__quad_load(c[6]) * even_sin;
+    v->even_sin += prt__quad_load(c[7]) * PRT__QUAD_SHUFFLE(even_sin, even_sin, 2, 2, 1, 1);
+    v->odd_sin = prt__quad_load(c[8]) * even_cos;
+    v->odd_sin += prt__quad_load(c[9]) * PRT__QUAD_SHUFFLE(even_cos, even_cos, 1, 2, 0, 0);
+    v->odd_sin += prt__quad_load(c[10]) * PRT__QUAD_SHUFFLE(even_cos, even_cos, 2, 0, 1, 1);
+}
+
+/* y and z swapped in band 6 */
+PRT__INLINE void prt__swap_yz_6(prt__classes *v) {
+    static const prt_real c[][4] = {
+        { PRT__R(-0.3125), PRT__R(-0.53125), PRT__R(0.8125), PRT__R(0.03125) },
+        { PRT__R(-0.452855523318419955429), PRT__R(-0.171163299220364410455), PRT__R(-0.253876200144873761264), PRT__R(-0.671693289381396157476) },
+        { PRT__R(-0.496078370824610735719), PRT__R(0.695268608165218401442), PRT__R(-0.496078370824610735719), PRT__R(0.695268608165218401442) },
+        { PRT__R(-0.671693289381396157476), PRT__R(-0.452855523318419955429), PRT__R(-0.171163299220364410455), PRT__R(-0.253876200144873761264) },
+        { PRT__R(0.19764235376052370825), PRT__R(0.684653196881457641821), PRT__R(0.108253175473054830845), 0 },
+        { PRT__R(0.433012701892219323382), PRT__R(-0.463512405443478934294), PRT__R(0.802827036166570563757), 0 },
+        { PRT__R(0.879452954966893041481), PRT__R(0.5625), PRT__R(-0.586301969977928694321), 0 },
+        { 0, PRT__R(0.19764235376052370825), PRT__R(0.684653196881457641821), PRT__R(0.108253175473054830845) },
+        { 0, PRT__R(0.5625), PRT__R(-0.586301969977928694321), PRT__R(0.879452954966893041481) },
+        { 0, PRT__R(0.802827036166570563757), PRT__R(0.433012701892219323382), PRT__R(-0.463512405443478934294) },
+        { PRT__R(0.625), PRT__R(0.0625), PRT__R(0.3125), 0 },
+        { PRT__R(0.59292706128157112475), PRT__R(-0.802827036166570563757), PRT__R(0.507752400289747522529), 0 },
+        { PRT__R(0.507752400289747522529), PRT__R(0.59292706128157112475), PRT__R(-0.802827036166570563757), 0 }
+    };
+    prt__quad even_cos = v->even_cos;
+    prt__quad odd_cos = v->odd_cos;
+    prt__quad even_sin = v->even_sin;
+    prt__quad odd_sin = v->odd_sin;
+    v->even_cos = prt__quad_load(c[0]) * even_cos;
+    v->even_cos += prt__quad_load(c[1]) * PRT__QUAD_SHUFFLE(even_cos, even_cos, 1, 2, 3, 0);
+    v->even_cos += prt__quad_load(c[2]) * PRT__QUAD_SHUFFLE(even_cos, even_cos, 2, 3, 0, 1);
+    v->even_cos += prt__quad_load(c[3]) * PRT__QUAD_SHUFFLE(even_cos, even_cos, 3, 0, 1, 2);
+    v->odd_cos = prt__quad_load(c[4]) * PRT__QUAD_SHUFFLE(even_sin, even_sin, 1, 2, 3, 3);
+    v->odd_cos += prt__quad_load(c[5]) * PRT__QUAD_SHUFFLE(even_sin, even_sin, 2, 3, 1, 1);
+    v->odd_cos += prt__quad_load(c[6]) * PRT__QUAD_SHUFFLE(even_sin, even_sin, 3, 1, 2, 2);
+    v->even_sin = prt__quad_load(c[7]) * PRT__QUAD_SHUFFLE(odd_cos, odd_cos, 0, 0, 1, 2);
+    v->even_sin += prt__quad_load(c[8]) * PRT__QUAD_SHUFFLE(odd_cos, odd_cos, 1, 1, 2, 0);
+    v->even_sin += prt__quad_load(c[9]) * PRT__QUAD_SHUFFLE(odd_cos, odd_cos, 2, 2, 0, 1);
+    v->odd_sin = prt__quad_load(c[10]) * odd_sin;
+    v->odd_sin += prt__quad_load(c[11]) * PRT__QUAD_SHUFFLE(odd_sin, odd_sin, 1, 2, 0, 0);
+    v->odd_sin += prt__quad_load(c[12]) * PRT__QUAD_SHUFFLE(odd_sin, odd_sin, 2, 0, 1, 1);
+}
+
+/* y and z swapped in band 7 */
+PRT__INLINE void prt__swap_yz_7(prt__classes *v) {
+    static const prt_real c[][4] = {
+        { PRT__R(-0.413398642353842279766), PRT__R(-0.419844651329512592613), PRT__R(0.78125), PRT__R(0.0584633966683428341497) },
+        { PRT__R(-0.429616471402110000618), PRT__R(-0.0732877462472410867901), PRT__R(-0.29810600044279551536), PRT__R(-0.457681828621150306643) },
+        { PRT__R(-0.47495887979908323849), PRT__R(0.699120541287409177209), PRT__R(-0.538552748112940186861), PRT__R(0.792728180872863885852) },
+        { PRT__R(-0.64725984928774934788), PRT__R(-0.574099158464807366765), PRT__R(0.103644524698606245285), PRT__R(-0.398360899499436314846) },
+        { PRT__R(-0.078125), PRT__R(-0.609375), PRT__R(0.671875), PRT__R(0.015625) },
+        { PRT__R(-0.243569644814373369402), PRT__R(-0.570044885842334349067), PRT__R(-0.14905300022139775768), PRT__R(-0.856244297426266074633) },
+        { PRT__R(-0.448793956760783489051), PRT__R(0.494352875611136705361), PRT__R(-0.448793956760783489051), PRT__R(0.494352875611136705361) },
+        { PRT__R(-0.856244297426266074633), PRT__R(-0.243569644814373369402), PRT__R(-0.570044885842334349067), PRT__R(-0.14905300022139775768) },
+        { 0, PRT__R(0.3125), PRT__R(0.5), PRT__R(0.1875) },
+        { 0, PRT__R(0.586301969977928694321), PRT__R(-0.637377439199098103754), PRT__R(0.747391296443837376321) },
+        { 0, PRT__R(0.747391296443837376321), PRT__R(0.586301969977928694321), PRT__R(-0.637377439199098103754) },
+        { PRT__R(-0.413398642353842279766), PRT__R(-0.419844651329512592613), PRT__R(0.78125), PRT__R(0.0584633966683428341497) },
+        { PRT__R(-0.574099158464807366765), PRT__R(0.103644524698606245285), PRT__R(-0.398360899499436314846), PRT__R(-0.64725984928774934788) },
+        { PRT__R(-0.538552748112940186861), PRT__R(0.792728180872863885852), PRT__R(-0.47495887979908323849), PRT__R(0.699120541287409177209) },
+        { PRT__R(-0.457681828621150306643), PRT__R(-0.429616471402110000618), PRT__R(-0.0732877462472410867901), PRT__R(-0.29810600044279551536) }
+    };
+    prt__quad even_cos = v->even_cos;
+    prt__quad odd_cos = v->odd_cos;
+    prt__quad even_sin = v->even_sin;
+    prt__quad odd_sin = v->odd_sin;
+    v->even_cos = prt__quad_load(c[0]) * odd_sin;
+    v->even_cos += prt__quad_load(c[1]) * PRT__QUAD_SHUFFLE(odd_sin, odd_sin, 1, 2, 3, 0);
+    v->even_cos += prt__quad_load(c[2]) * PRT__QUAD_SHUFFLE(odd_sin, odd_sin, 2, 3, 0, 1);
+    v->even_cos += prt__quad_load(c[3]) * PRT__QUAD_SHUFFLE(odd_sin, odd_sin, 3, 0, 1, 2);
+    v->odd_cos = prt__quad_load(c[4]) * odd_cos;
+    v->odd_cos += prt__quad_load(c[5]) * PRT__QUAD_SHUFFLE(odd_cos, odd_cos, 1, 2, 3, 0);
+    v->odd_cos += prt__quad_load(c[6]) * PRT__QUAD_SHUFFLE(odd_cos, odd_cos, 2, 3, 0, 1);
+    v->odd_cos += prt__quad_load(c[7]) * PRT__QUAD_SHUFFLE(odd_cos, odd_cos, 3, 0, 1, 2);
+    v->even_sin = prt__quad_load(c[8]) * even_sin;
+    v->even_sin += prt__quad_load(c[9]) * PRT__QUAD_SHUFFLE(even_sin, even_sin, 2, 2, 3, 1);
+    v->even_sin += prt__quad_load(c[10]) * PRT__QUAD_SHUFFLE(even_sin, even_sin, 3, 3, 1, 2);
+    v->odd_sin = prt__quad_load(c[11]) * even_cos;
+    v->odd_sin += prt__quad_load(c[12]) * PRT__QUAD_SHUFFLE(even_cos, even_cos, 1, 2, 3, 0);
+    v->odd_sin += prt__quad_load(c[13]) * PRT__QUAD_SHUFFLE(even_cos, even_cos, 2, 3, 0, 1);
+    v->odd_sin += prt__quad_load(c[14]) * PRT__QUAD_SHUFFLE(even_cos, even_cos, 3, 0, 1, 2);
+}
+
+/* END GENERATED */
+#endif
 
 #ifdef __cplusplus
 }

@@ -16,6 +16,7 @@ const family families[] = {
     { "sh_window_hann", 1, 10, 0, describe_sh_window_hann },
     { "sh_window_lanczos", 1, 10, 0, describe_sh_window_lanczos },
     { "sh_window_positive", 1, 10, 0, describe_sh_window_positive },
+    { "sh_rotate", 2, 8, FORM_ONE, describe_sh_rotate },
     { "sh_dot", 1, 10, 0, describe_sh_dot },
     { "shade_diffuse", 1, 10, 0, describe_shade_diffuse },
 };

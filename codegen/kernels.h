@@ -3,6 +3,7 @@
 #ifndef PRT_CODEGEN_KERNELS_H
 #define PRT_CODEGEN_KERNELS_H
 
+#include <stdio.h>
 #include "graph.h"
 
 enum { FORM_ONE = 1, FORM_LANES = 2, FORM_SWEPT = 4 }; /* forms that prt.h needs of a family: see language.h */
@@ -42,5 +43,8 @@ kernel *describe_sh_window_lanczos(int bands);
 kernel *describe_sh_window_positive(int bands);
 kernel *describe_sh_dot(int bands);
 kernel *describe_shade_diffuse(int bands);
+kernel *describe_sh_rotate(int bands);
+
+void print_swaps(FILE *to);                            /* tables and code of the swap of y and z, four lanes */
 
 #endif

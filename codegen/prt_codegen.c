@@ -96,7 +96,11 @@ static int print_table(FILE *to, const request *r) {
         print_ch_table(to, r->first_bands);
         return 0;
     }
-    if (strcmp(r->table, "roots")) return fail("unknown table", r->table, "use roots or ch_steps");
+    if (!strcmp(r->table, "swap_yz")) {
+        print_swaps(to);
+        return 0;
+    }
+    if (strcmp(r->table, "roots")) return fail("unknown table", r->table, "use roots, ch_steps or swap_yz");
     if (r->count < 2 || r->count > 100000) return fail("table", r->table, "give --count from 2 to 100000");
     print_root_table(to, "roots", "sqrt(k)", r->count, 0);
     print_root_table(to, "inverse_roots", "1/sqrt(k), and 0", r->count, 1);

@@ -363,6 +363,96 @@ void prt_sh_window_positive(float f[16], out float result[16]) {
     result[15] = 0.093578718f * f[15];
 }
 
+// rotation of one vector, 4 bands; turn: cos, sin of a, b, g: 122 multiplications, 64 additions (61 can fuse), 31 loads, 16 stores
+void prt_sh_rotate(float r[9], float turn[6], float f[16], out float result[16]) {
+    result[0] = f[0];
+    float t1 = f[1];
+    float t2 = f[2];
+    float t3 = f[3];
+    result[1] = (r[4] * t1 + r[5] * t2) + r[3] * t3;
+    result[2] = (r[7] * t1 + r[8] * t2) + r[6] * t3;
+    result[3] = (r[1] * t1 + r[2] * t2) + r[0] * t3;
+    float t4 = turn[0];
+    float t5 = turn[1];
+    float t6 = t4 * t4 - t5 * t5;
+    float t7 = turn[2];
+    float t8 = f[4];
+    float t9 = turn[4];
+    float t10 = turn[5];
+    float t11 = t9 * t9 - t10 * t10;
+    float t12 = f[8];
+    float t13 = t9 * t10;
+    float t14 = t13 + t13;
+    float t15 = t8 * t11 + t12 * t14;
+    float t16 = turn[3];
+    float t17 = f[5];
+    float t18 = f[7];
+    float t19 = t17 * t9 + t18 * t10;
+    float t20 = t7 * t15 + t16 * t19;
+    float t21 = t4 * t5;
+    float t22 = t21 + t21;
+    float t23 = f[6];
+    float t24 = t12 * t11 - t8 * t14;
+    float t25 = -0.5f * t23 + -0.866025404f * t24;
+    float t26 = t7 * t7 - t16 * t16;
+    float t27 = -0.866025404f * t23 + 0.5f * t24;
+    float t28 = t7 * t16;
+    float t29 = t28 + t28;
+    float t30 = t18 * t9 - t17 * t10;
+    float t31 = t26 * t27 + t29 * t30;
+    float t32 = -0.866025404f * t25 + 0.5f * t31;
+    result[4] = t6 * t20 + t22 * t32;
+    float t33 = t7 * t19 - t16 * t15;
+    float t34 = t26 * t30 - t29 * t27;
+    result[5] = t4 * t33 + t5 * t34;
+    result[6] = -0.5f * t25 + -0.866025404f * t31;
+    result[7] = t4 * t34 - t5 * t33;
+    result[8] = t6 * t32 - t22 * t20;
+    float t35 = t4 * t6 - t5 * t22;
+    float t36 = f[9];
+    float t37 = t9 * t11 - t10 * t14;
+    float t38 = f[15];
+    float t39 = t9 * t14 + t10 * t11;
+    float t40 = t36 * t37 + t38 * t39;
+    float t41 = f[11];
+    float t42 = f[13];
+    float t43 = t41 * t9 + t42 * t10;
+    float t44 = -0.790569415f * t40 + -0.612372436f * t43;
+    float t45 = 0.612372436f * t40 + -0.790569415f * t43;
+    float t46 = f[10];
+    float t47 = f[14];
+    float t48 = t46 * t11 + t47 * t14;
+    float t49 = t26 * t45 + t29 * t48;
+    float t50 = -0.790569415f * t44 + 0.612372436f * t49;
+    float t51 = t4 * t22 + t5 * t6;
+    float t52 = t42 * t9 - t41 * t10;
+    float t53 = t38 * t37 - t36 * t39;
+    float t54 = -0.25f * t52 + -0.968245837f * t53;
+    float t55 = f[12];
+    float t56 = t47 * t11 - t46 * t14;
+    float t57 = -0.612372436f * t55 + -0.790569415f * t56;
+    float t58 = t7 * t54 + t16 * t57;
+    float t59 = t7 * t26 - t16 * t29;
+    float t60 = -0.968245837f * t52 + 0.25f * t53;
+    float t61 = t7 * t29 + t16 * t26;
+    float t62 = -0.790569415f * t55 + 0.612372436f * t56;
+    float t63 = t59 * t60 + t61 * t62;
+    float t64 = -0.968245837f * t58 + 0.25f * t63;
+    result[9] = t35 * t50 + t51 * t64;
+    float t65 = t26 * t48 - t29 * t45;
+    float t66 = t59 * t62 - t61 * t60;
+    float t67 = t7 * t57 - t16 * t54;
+    float t68 = 0.612372436f * t66 + -0.790569415f * t67;
+    result[10] = t6 * t65 + t22 * t68;
+    float t69 = -0.612372436f * t44 + -0.790569415f * t49;
+    float t70 = -0.25f * t58 + -0.968245837f * t63;
+    result[11] = t4 * t69 + t5 * t70;
+    result[12] = -0.790569415f * t66 + -0.612372436f * t67;
+    result[13] = t4 * t70 - t5 * t69;
+    result[14] = t6 * t68 - t22 * t65;
+    result[15] = t35 * t64 - t51 * t50;
+}
+
 // integral of a product, 4 bands: 16 multiplications, 15 additions (15 can fuse), 32 loads, 1 stores
 float prt_sh_dot(float f[16], float g[16]) {
     float t1 = (((g[0] * f[0] + g[1] * f[1]) + g[2] * f[2]) + g[3] * f[3]) + g[4] * f[4];

@@ -363,6 +363,96 @@ fn prt_sh_window_positive(f: array<f32, 16>, result: ptr<function, array<f32, 16
     (*result)[15] = 0.093578718 * f[15];
 }
 
+// rotation of one vector, 4 bands; turn: cos, sin of a, b, g: 122 multiplications, 64 additions (61 can fuse), 31 loads, 16 stores
+fn prt_sh_rotate(r: array<f32, 9>, turn: array<f32, 6>, f: array<f32, 16>, result: ptr<function, array<f32, 16>>) {
+    (*result)[0] = f[0];
+    let t1: f32 = f[1];
+    let t2: f32 = f[2];
+    let t3: f32 = f[3];
+    (*result)[1] = (r[4] * t1 + r[5] * t2) + r[3] * t3;
+    (*result)[2] = (r[7] * t1 + r[8] * t2) + r[6] * t3;
+    (*result)[3] = (r[1] * t1 + r[2] * t2) + r[0] * t3;
+    let t4: f32 = turn[0];
+    let t5: f32 = turn[1];
+    let t6: f32 = t4 * t4 - t5 * t5;
+    let t7: f32 = turn[2];
+    let t8: f32 = f[4];
+    let t9: f32 = turn[4];
+    let t10: f32 = turn[5];
+    let t11: f32 = t9 * t9 - t10 * t10;
+    let t12: f32 = f[8];
+    let t13: f32 = t9 * t10;
+    let t14: f32 = t13 + t13;
+    let t15: f32 = t8 * t11 + t12 * t14;
+    let t16: f32 = turn[3];
+    let t17: f32 = f[5];
+    let t18: f32 = f[7];
+    let t19: f32 = t17 * t9 + t18 * t10;
+    let t20: f32 = t7 * t15 + t16 * t19;
+    let t21: f32 = t4 * t5;
+    let t22: f32 = t21 + t21;
+    let t23: f32 = f[6];
+    let t24: f32 = t12 * t11 - t8 * t14;
+    let t25: f32 = -0.5 * t23 + -0.866025404 * t24;
+    let t26: f32 = t7 * t7 - t16 * t16;
+    let t27: f32 = -0.866025404 * t23 + 0.5 * t24;
+    let t28: f32 = t7 * t16;
+    let t29: f32 = t28 + t28;
+    let t30: f32 = t18 * t9 - t17 * t10;
+    let t31: f32 = t26 * t27 + t29 * t30;
+    let t32: f32 = -0.866025404 * t25 + 0.5 * t31;
+    (*result)[4] = t6 * t20 + t22 * t32;
+    let t33: f32 = t7 * t19 - t16 * t15;
+    let t34: f32 = t26 * t30 - t29 * t27;
+    (*result)[5] = t4 * t33 + t5 * t34;
+    (*result)[6] = -0.5 * t25 + -0.866025404 * t31;
+    (*result)[7] = t4 * t34 - t5 * t33;
+    (*result)[8] = t6 * t32 - t22 * t20;
+    let t35: f32 = t4 * t6 - t5 * t22;
+    let t36: f32 = f[9];
+    let t37: f32 = t9 * t11 - t10 * t14;
+    let t38: f32 = f[15];
+    let t39: f32 = t9 * t14 + t10 * t11;
+    let t40: f32 = t36 * t37 + t38 * t39;
+    let t41: f32 = f[11];
+    let t42: f32 = f[13];
+    let t43: f32 = t41 * t9 + t42 * t10;
+    let t44: f32 = -0.790569415 * t40 + -0.612372436 * t43;
+    let t45: f32 = 0.612372436 * t40 + -0.790569415 * t43;
+    let t46: f32 = f[10];
+    let t47: f32 = f[14];
+    let t48: f32 = t46 * t11 + t47 * t14;
+    let t49: f32 = t26 * t45 + t29 * t48;
+    let t50: f32 = -0.790569415 * t44 + 0.612372436 * t49;
+    let t51: f32 = t4 * t22 + t5 * t6;
+    let t52: f32 = t42 * t9 - t41 * t10;
+    let t53: f32 = t38 * t37 - t36 * t39;
+    let t54: f32 = -0.25 * t52 + -0.968245837 * t53;
+    let t55: f32 = f[12];
+    let t56: f32 = t47 * t11 - t46 * t14;
+    let t57: f32 = -0.612372436 * t55 + -0.790569415 * t56;
+    let t58: f32 = t7 * t54 + t16 * t57;
+    let t59: f32 = t7 * t26 - t16 * t29;
+    let t60: f32 = -0.968245837 * t52 + 0.25 * t53;
+    let t61: f32 = t7 * t29 + t16 * t26;
+    let t62: f32 = -0.790569415 * t55 + 0.612372436 * t56;
+    let t63: f32 = t59 * t60 + t61 * t62;
+    let t64: f32 = -0.968245837 * t58 + 0.25 * t63;
+    (*result)[9] = t35 * t50 + t51 * t64;
+    let t65: f32 = t26 * t48 - t29 * t45;
+    let t66: f32 = t59 * t62 - t61 * t60;
+    let t67: f32 = t7 * t57 - t16 * t54;
+    let t68: f32 = 0.612372436 * t66 + -0.790569415 * t67;
+    (*result)[10] = t6 * t65 + t22 * t68;
+    let t69: f32 = -0.612372436 * t44 + -0.790569415 * t49;
+    let t70: f32 = -0.25 * t58 + -0.968245837 * t63;
+    (*result)[11] = t4 * t69 + t5 * t70;
+    (*result)[12] = -0.790569415 * t66 + -0.612372436 * t67;
+    (*result)[13] = t4 * t70 - t5 * t69;
+    (*result)[14] = t6 * t68 - t22 * t65;
+    (*result)[15] = t35 * t64 - t51 * t50;
+}
+
 // integral of a product, 4 bands: 16 multiplications, 15 additions (15 can fuse), 32 loads, 1 stores
 fn prt_sh_dot(f: array<f32, 16>, g: array<f32, 16>) -> f32 {
     let t1: f32 = (((g[0] * f[0] + g[1] * f[1]) + g[2] * f[2]) + g[3] * f[3]) + g[4] * f[4];

@@ -3,6 +3,7 @@
 #include "prt.h"
 #include "test.h"
 #include <mpfr.h>
+#include "../bench/published_rotation.h"
 
 /* Deterministic numbers in [-1, 1]. */
 static uint32_t random_state = 1;
@@ -106,19 +107,12 @@ static void blocks_agree_with_the_reference_table(void **state) {
 
 /* ---- blocks against independent facts --------------------------------------------------------------------------- */
 
-/* Largest entry of |M M^T - 1| over the bands. */
-static double orthogonality_error(int bands, const prt_real *blocks) {
+static double worst_orthogonality(int first, int bands, const prt_real *blocks) {
     double worst = 0;
-    int l, i, j, k;
-    for (l = 0; l < bands; l++) {
-        int size = 2 * l + 1;
-        const prt_real *m = blocks + prt_sh_rotation_count(l);
-        for (i = 0; i < size; i++)
-            for (j = 0; j <= i; j++) {
-                double dot = i == j ? -1 : 0;
-                for (k = 0; k < size; k++) dot += (double)m[i * size + k] * (double)m[j * size + k];
-                if (!(fabs(dot) <= worst)) worst = fabs(dot);
-            }
+    int l;
+    for (l = first; l < bands; l++) {
+        double error = orthogonality_error(2 * l + 1, blocks + prt_sh_rotation_count(l));
+        if (!(error <= worst)) worst = error;
     }
     return worst;
 }
@@ -130,9 +124,24 @@ static void blocks_are_orthogonal(void **state) {
     for (trial = 0; trial < 5; trial++) {
         random_rotation(rotation);
         assert_int_equal(prt_sh_rotation(128, rotation, blocks), PRT_OK);
-        assert_at_most(orthogonality_error(64, blocks), BY_PRECISION(1e-5, 2e-14));
-        assert_at_most(orthogonality_error(128, blocks), BY_PRECISION(1e-3, 2e-12));
+        assert_at_most(worst_orthogonality(0, 64, blocks), BY_PRECISION(1e-5, 2e-14));
+        assert_at_most(worst_orthogonality(64, 128, blocks), BY_PRECISION(1e-3, 2e-12));
     }
+    free(blocks);
+}
+
+/* The same recursion with the published columns: no better at 8 bands, useless at 128. */
+static void the_published_recursion_explodes(void **state) {
+    prt_real rotation[9], *blocks = new_array(prt_sh_rotation_count(128));
+    int l;
+    (void)state;
+    random_rotation(rotation);
+    assert_int_equal(prt_sh_rotation(2, rotation, blocks), PRT_OK);
+    for (l = 2; l < 128; l++)
+        published_block(l, blocks + 1, blocks + prt_sh_rotation_count(l - 1), blocks + prt_sh_rotation_count(l));
+    assert_at_most(worst_orthogonality(0, 9, blocks), BY_PRECISION(3e-6, 6e-15));
+    assert_at_most(BY_PRECISION(1e-3, 1e-12), worst_orthogonality(63, 64, blocks));
+    assert_at_most(BY_PRECISION(1e6, 1e-6), worst_orthogonality(127, 128, blocks));
     free(blocks);
 }
 
@@ -275,6 +284,291 @@ static void batches_are_bit_equal_to_their_parts(void **state) {
     free(blocks);
 }
 
+/* ---- one vector, one rotation ----------------------------------------------------------------------------------- */
+
+static void rotation_about_z(double angle, prt_real r[9]) {
+    prt_real c = (prt_real)cos(angle), s = (prt_real)sin(angle);
+    r[0] = c; r[1] = -s; r[2] = 0; r[3] = s; r[4] = c; r[5] = 0; r[6] = 0; r[7] = 0; r[8] = 1;
+}
+
+static void one_shot_agrees_with_the_reference_table(void **state) {
+    prt_real f[64], out[64];
+    int c, bands, l, i, j;
+    (void)state;
+    read_golden();
+    for (c = 0; c < golden_count; c++)
+        for (bands = 1; bands <= 8; bands++) {
+            random_vector(64, f);
+            assert_int_equal(prt_sh_rotate(bands, golden[c].rotation, f, out), PRT_OK);
+            for (l = 0; l < bands; l++)
+                for (i = 0; i <= 2 * l; i++) {
+                    double want = 0;
+                    for (j = 0; j <= 2 * l; j++)
+                        want += golden[c].blocks[l * (4 * l * l - 1) / 3 + i * (2 * l + 1) + j] * (double)f[l * l + j];
+                    assert_near(out[l * l + i], want, BY_PRECISION(3e-6, 1e-14));
+                }
+        }
+}
+
+/* Tilts of every size from both poles, down to one that underflows when squared, and what lies between. */
+static void one_shot_holds_near_the_poles(void **state) {
+    static const double tilts[] = { 0, 1e-30, 1e-22, 1e-12, 1e-7, 3e-7, 1e-6, 1e-4, 1e-2, 0.5, 1.5707963267948966 };
+    prt_real f[100], out[100], blocks[10 * 399 / 3];
+    double want[100];
+    size_t k;
+    int pole, trial, i;
+    (void)state;
+    for (k = 0; k < sizeof tilts / sizeof *tilts; k++)
+        for (pole = 0; pole < 2; pole++)
+            for (trial = 0; trial < 20; trial++) {
+                prt_real a[9], b[9], tilt[9] = { 1, 0, 0, 0, 0, 0, 0, 0, 0 }, r[9], part[9];
+                double c = cos(tilts[k]), s = sin(tilts[k]);
+                if (pole) c = -c;
+                tilt[4] = (prt_real)c; tilt[5] = (prt_real)-s; tilt[7] = (prt_real)s; tilt[8] = (prt_real)c;
+                rotation_about_z(3 * random_signed(), a);
+                rotation_about_z(trial & 1 ? 0 : 3 * random_signed(), b);
+                multiply(tilt, b, part);
+                multiply(a, part, r);
+                if (trial & 2) for (i = 0; i < 9; i++) r[i] = -r[i];
+                random_vector(100, f);
+                assert_int_equal(prt_sh_rotation(10, r, blocks), PRT_OK);
+                plain_product(10, blocks, f, 1, want);
+                assert_int_equal(prt_sh_rotate(8, r, f, out), PRT_OK);
+                for (i = 0; i < 64; i++) assert_near(out[i], want[i], BY_PRECISION(3e-6, 1e-14));
+                assert_int_equal(prt_sh_rotate(10, r, f, out), PRT_OK);
+                for (i = 0; i < 100; i++) assert_near(out[i], want[i], BY_PRECISION(4e-6, 1e-14));
+            }
+}
+
+/* Every number of bands against the blocks, in place too; reflections half of the time. */
+static void one_shot_agrees_with_the_blocks(void **state) {
+    static prt_real f[64 * 64], out[64 * 64];
+    static double want[64 * 64];
+    prt_real rotation[9], *blocks = new_array(prt_sh_rotation_count(64));
+    int bands, trial, i;
+    (void)state;
+    for (bands = 1; bands <= 64; bands += bands < 12 ? 1 : 13)
+        for (trial = 0; trial < 8; trial++) {
+            double tolerance = bands <= 8 ? BY_PRECISION(3e-6, 1e-14) : BY_PRECISION(4e-7, 1e-15) * bands;
+            random_rotation(rotation);
+            if (trial & 1) for (i = 0; i < 9; i++) rotation[i] = -rotation[i];
+            random_vector(bands * bands, f);
+            assert_int_equal(prt_sh_rotation(bands, rotation, blocks), PRT_OK);
+            plain_product(bands, blocks, f, 1, want);
+            out[bands * bands < 64 * 64 ? bands * bands : 0] = 77;
+            assert_int_equal(prt_sh_rotate(bands, rotation, f, out), PRT_OK);
+            for (i = 0; i < bands * bands; i++) assert_near(out[i], want[i], tolerance);
+            if (bands < 64) assert_near(out[bands * bands], 77, 0);
+            assert_int_equal(prt_sh_rotate(bands, rotation, f, f), PRT_OK);
+            assert_memory_equal(f, out, (size_t)(bands * bands) * sizeof *f);
+        }
+    free(blocks);
+}
+
+/* 1000 turns by 2 pi / 1000 come back: what drifts is the rounding of the matrix and of the constants, the same in
+   every turn: 1000 * 5 bands * half a rounding error, 2^-25 (float) and 2^-54, is the scale of it. */
+static void a_thousand_turns_return(void **state) {
+    enum { BANDS = 6, N = 36 };
+    prt_real f[N], g[N], h[N], r[9], blocks[286];
+    int axis, k, i;
+    (void)state;
+    for (axis = 0; axis < 3; axis++) {
+        double angle = 2 * PRT__PI / 1000;
+        rotation_about_z(angle, r);
+        if (axis) {                                             /* cyclic: about x, about y */
+            prt_real turned_r[9];
+            for (i = 0; i < 9; i++) turned_r[(i / 3 + axis) % 3 * 3 + (i % 3 + axis) % 3] = r[i];
+            memcpy(r, turned_r, sizeof r);
+        }
+        random_vector(N, f);
+        memcpy(g, f, sizeof f);
+        memcpy(h, f, sizeof f);
+        prt_sh_rotation(BANDS, r, blocks);
+        for (k = 0; k < 1000; k++) {
+            prt_sh_rotate(BANDS, r, g, g);
+            prt_sh_rotate_by(BANDS, blocks, h, h);
+        }
+        assert_at_most(distance(N, f, g), BY_PRECISION(1.5e-4, 5e-13));
+        assert_at_most(distance(N, f, h), BY_PRECISION(1e-4, 5e-13));
+        if (axis == 0) {
+            memcpy(g, f, sizeof f);
+            for (k = 0; k < 1000; k++) prt_sh_rotate_z(BANDS, (prt_real)angle, g, g);
+            assert_at_most(distance(N, f, g), BY_PRECISION(1e-4, 5e-13));
+        }
+    }
+}
+
+/* ---- about z, and zonal functions ------------------------------------------------------------------------------- */
+
+/* cos and sin of m*angle by MPFR: entry (m,m) of the block, whatever the band. */
+static void z_rotation_agrees_with_mpfr(void **state) {
+    enum { BANDS = 64, N = BANDS * BANDS };
+    static prt_real f[N], out[N];
+    static const double angles[] = { 0.7, -3.1, 100.25, 1e-5, 6.2831853071795864769 };
+    mpfr_t x, c, s;
+    size_t k;
+    int l, m;
+    (void)state;
+    mpfr_inits2(200, x, c, s, (mpfr_ptr)0);
+    random_vector(N, f);
+    for (k = 0; k < sizeof angles / sizeof *angles; k++) {
+        prt_real angle = (prt_real)angles[k];
+        assert_int_equal(prt_sh_rotate_z(BANDS, angle, f, out), PRT_OK);
+        for (m = 0; m < BANDS; m++) {
+            double cm, sm;
+            mpfr_set_d(x, (double)angle, MPFR_RNDN);
+            mpfr_mul_si(x, x, m, MPFR_RNDN);
+            mpfr_sin_cos(s, c, x, MPFR_RNDN);
+            cm = mpfr_get_d(c, MPFR_RNDN);
+            sm = mpfr_get_d(s, MPFR_RNDN);
+            for (l = m; l < BANDS; l++) {
+                double plus = (double)f[PRT_SH_INDEX(l, m)], minus = (double)f[PRT_SH_INDEX(l, -m)];
+                if (m) assert_near(out[PRT_SH_INDEX(l, -m)], cm * minus + sm * plus, BY_PRECISION(3e-7, 2e-14));
+                assert_near(out[PRT_SH_INDEX(l, m)], m ? cm * plus - sm * minus : plus, BY_PRECISION(3e-7, 2e-14));
+            }
+        }
+    }
+    mpfr_clears(x, c, s, (mpfr_ptr)0);
+    assert_int_equal(prt_sh_rotate_z(BANDS, 1, f, out), PRT_OK);
+    assert_int_equal(prt_sh_rotate_z(BANDS, 1, f, f), PRT_OK);
+    assert_memory_equal(f, out, sizeof f);
+}
+
+/* A zonal function turned to an axis is the same as its full vector turned by a rotation that takes +z there. */
+static void zonal_functions_follow_their_axis(void **state) {
+    enum { BANDS = 9, N = BANDS * BANDS };
+    prt_real zonal[BANDS], f[N], want[N], out[N], r[9];
+    int trial, l;
+    (void)state;
+    for (trial = 0; trial < 20; trial++) {
+        prt_vec3 z, axis;
+        z.x = 0; z.y = 0; z.z = 1;
+        random_rotation(r);
+        axis = turned(r, z);
+        random_vector(BANDS, zonal);
+        memset(f, 0, sizeof f);
+        for (l = 0; l < BANDS; l++) f[PRT_SH_INDEX(l, 0)] = zonal[l];
+        assert_int_equal(prt_sh_rotate(BANDS, r, f, want), PRT_OK);
+        assert_int_equal(prt_sh_zonal_to(BANDS, zonal, axis, out), PRT_OK);
+        assert_at_most(distance(N, out, want), BY_PRECISION(2e-6, 6e-15));
+        axis.x *= PRT__R(1.0009); axis.y *= PRT__R(1.0009); axis.z *= PRT__R(1.0009);
+        assert_int_equal(prt_sh_zonal_to(BANDS, zonal, axis, out), PRT_OK);
+        assert_at_most(distance(N, out, want), BY_PRECISION(3e-6, 1e-14));
+    }
+}
+
+/* ---- what is refused -------------------------------------------------------------------------------------------- */
+
+static void bad_matrices_are_refused_and_nothing_is_written(void **state) {
+    enum { CASES = 12 };
+    prt_real bad[CASES][9], good[9], f[256], out[256], blocks[5456];
+    int c, i, bands;
+    (void)state;
+    random_rotation(good);
+    random_vector(256, f);
+    for (c = 0; c < CASES; c++) memcpy(bad[c], good, sizeof good);
+    for (i = 0; i < 9; i++) {
+        bad[0][i] *= PRT__R(1.001);                             /* scaled: R R^T - 1 = 2.001e-3 */
+        bad[1][i] *= PRT__R(0.999);
+        bad[2][i] = 0;
+        bad[3][i] *= 2;
+        bad[4][i] *= BY_PRECISION(1e30f, 1e200);                /* squares overflow */
+    }
+    for (i = 0; i < 3; i++) bad[5][i] += PRT__R(0.002) * bad[5][3 + i];         /* sheared */
+    for (i = 0; i < 3; i++) bad[6][i] = bad[6][3 + i];                          /* two equal rows */
+    bad[7][0] = (prt_real)NAN;
+    bad[8][8] = (prt_real)NAN;
+    bad[9][4] = (prt_real)INFINITY;
+    bad[10][2] = (prt_real)-INFINITY;
+    for (i = 0; i < 9; i++) bad[11][i] = (prt_real)NAN;
+    for (c = 0; c < CASES; c++) {
+        for (i = 0; i < 256; i++) out[i] = 77;
+        for (i = 0; i < 5456; i++) blocks[i] = 77;
+        for (bands = 1; bands <= 16; bands++) {
+            assert_int_equal(prt_sh_rotation(bands, bad[c], blocks), PRT_ERR_ROTATION);
+            assert_int_equal(prt_sh_rotate(bands, bad[c], f, out), PRT_ERR_ROTATION);
+        }
+        for (i = 0; i < 256; i++) assert_near(out[i], 77, 0);
+        for (i = 0; i < 5456; i++) assert_near(blocks[i], 77, 0);
+    }
+    for (i = 0; i < 9; i++) bad[0][i] = good[i] * PRT__R(1.0004);               /* 8e-4 off: accepted */
+    assert_int_equal(prt_sh_rotation(16, bad[0], blocks), PRT_OK);
+    for (bands = 1; bands <= 16; bands++) assert_int_equal(prt_sh_rotate(bands, bad[0], f, out), PRT_OK);
+}
+
+static void bad_arguments_are_refused_and_nothing_is_written(void **state) {
+    prt_real identity[9] = { 1, 0, 0, 0, 1, 0, 0, 0, 1 }, f[16] = { 0 }, out[16], blocks[84];
+    prt_vec3 z, far;
+    int i, k;
+    static const int bad_bands[] = { 0, -1, -2147483647 - 1, PRT_MAX_BANDS + 1, 2147483647 };
+    (void)state;
+    z.x = 0; z.y = 0; z.z = 1;
+    far.x = 0; far.y = 0; far.z = 2;
+    for (i = 0; i < 16; i++) out[i] = 77;
+    assert_int_equal(prt_sh_rotation(4, identity, blocks), PRT_OK);
+    for (k = 0; k < 5; k++) {
+        int b = bad_bands[k];
+        assert_int_equal((int)prt_sh_rotation_count(b), 0);
+        assert_int_equal(prt_sh_rotation(b, identity, out), PRT_ERR_BANDS);
+        assert_int_equal(prt_sh_rotate(b, identity, f, out), PRT_ERR_BANDS);
+        assert_int_equal(prt_sh_rotate_by(b, blocks, f, out), PRT_ERR_BANDS);
+        assert_int_equal(prt_sh_rotate_by_n(b, blocks, 1, f, out), PRT_ERR_BANDS);
+        assert_int_equal(prt_sh_rotate_by_n_rgb(b, blocks, 1, f, out), PRT_ERR_BANDS);
+        assert_int_equal(prt_sh_rotate_by_soa(b, blocks, 1, f, out, 1), PRT_ERR_BANDS);
+        assert_int_equal(prt_sh_rotate_z(b, 1, f, out), PRT_ERR_BANDS);
+        assert_int_equal(prt_sh_zonal_to(b, f, z, out), PRT_ERR_BANDS);
+    }
+    assert_int_equal(prt_sh_rotate_by_n(4, blocks, -1, f, out), PRT_ERR_COUNT);
+    assert_int_equal(prt_sh_rotate_by_n_rgb(4, blocks, -1, f, out), PRT_ERR_COUNT);
+    assert_int_equal(prt_sh_rotate_by_soa(4, blocks, -1, f, out, 1), PRT_ERR_COUNT);
+    assert_int_equal(prt_sh_rotate_by_soa(1, blocks, 3, f, out, 2), PRT_ERR_COUNT);
+    assert_int_equal(prt_sh_rotate_by_n(4, NULL, 0, NULL, NULL), PRT_OK);
+    assert_int_equal(prt_sh_rotate_by_n_rgb(4, NULL, 0, NULL, NULL), PRT_OK);
+    assert_int_equal(prt_sh_rotate_by_soa(4, NULL, 0, NULL, NULL, 0), PRT_OK);
+    assert_int_equal(prt_sh_rotation(4, NULL, out), PRT_ERR_NULL);
+    assert_int_equal(prt_sh_rotation(4, identity, NULL), PRT_ERR_NULL);
+    assert_int_equal(prt_sh_rotate(4, NULL, f, out), PRT_ERR_NULL);
+    assert_int_equal(prt_sh_rotate(4, identity, NULL, out), PRT_ERR_NULL);
+    assert_int_equal(prt_sh_rotate(4, identity, f, NULL), PRT_ERR_NULL);
+    assert_int_equal(prt_sh_rotate_by(4, NULL, f, out), PRT_ERR_NULL);
+    assert_int_equal(prt_sh_rotate_by(4, blocks, NULL, out), PRT_ERR_NULL);
+    assert_int_equal(prt_sh_rotate_by(4, blocks, f, NULL), PRT_ERR_NULL);
+    assert_int_equal(prt_sh_rotate_by_n(4, NULL, 1, f, out), PRT_ERR_NULL);
+    assert_int_equal(prt_sh_rotate_by_n(4, blocks, 1, NULL, out), PRT_ERR_NULL);
+    assert_int_equal(prt_sh_rotate_by_n(4, blocks, 1, f, NULL), PRT_ERR_NULL);
+    assert_int_equal(prt_sh_rotate_z(4, 1, NULL, out), PRT_ERR_NULL);
+    assert_int_equal(prt_sh_rotate_z(4, 1, f, NULL), PRT_ERR_NULL);
+    assert_int_equal(prt_sh_rotate_z(4, (prt_real)NAN, f, out), PRT_ERR_VALUE);
+    assert_int_equal(prt_sh_rotate_z(4, (prt_real)INFINITY, f, out), PRT_ERR_VALUE);
+    assert_int_equal(prt_sh_zonal_to(4, NULL, z, out), PRT_ERR_NULL);
+    assert_int_equal(prt_sh_zonal_to(4, f, z, NULL), PRT_ERR_NULL);
+    assert_int_equal(prt_sh_zonal_to(4, f, far, out), PRT_ERR_VALUE);
+    far.z = (prt_real)NAN;
+    assert_int_equal(prt_sh_zonal_to(4, f, far, out), PRT_ERR_VALUE);
+    for (i = 0; i < 16; i++) assert_near(out[i], 77, 0);
+}
+
+/* A NaN stays in its band, in every form. */
+static void nan_stays_in_its_band(void **state) {
+    prt_real r[9], f[36], out[36], blocks[286];
+    int bad, form, l, i;
+    (void)state;
+    random_rotation(r);
+    prt_sh_rotation(6, r, blocks);
+    for (bad = 0; bad < 36; bad++)
+        for (form = 0; form < 3; form++) {
+            random_vector(36, f);
+            f[bad] = (prt_real)NAN;
+            if (form == 0) assert_int_equal(prt_sh_rotate(6, r, f, out), PRT_OK);
+            if (form == 1) assert_int_equal(prt_sh_rotate_by(6, blocks, f, out), PRT_OK);
+            if (form == 2) assert_int_equal(prt_sh_rotate_by_n(6, blocks, 1, f, out), PRT_OK);
+            for (l = 0; l < 6; l++)
+                if (bad < l * l || bad >= (l + 1) * (l + 1))
+                    for (i = l * l; i < (l + 1) * (l + 1); i++) assert_true(out[i] == out[i]);
+                else assert_true(l > 0 || out[0] != out[0]);
+        }
+}
+
 /* ---- quaternions ------------------------------------------------------------------------------------------------ */
 
 static void quaternions_turn_as_documented(void **state) {
@@ -310,10 +604,20 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(blocks_agree_with_the_reference_table),
         cmocka_unit_test(blocks_are_orthogonal),
+        cmocka_unit_test(the_published_recursion_explodes),
         cmocka_unit_test(blocks_turn_the_basis),
         cmocka_unit_test(blocks_compose_and_reflect),
         cmocka_unit_test(every_layout_is_the_plain_product),
         cmocka_unit_test(batches_are_bit_equal_to_their_parts),
+        cmocka_unit_test(one_shot_agrees_with_the_reference_table),
+        cmocka_unit_test(one_shot_holds_near_the_poles),
+        cmocka_unit_test(one_shot_agrees_with_the_blocks),
+        cmocka_unit_test(a_thousand_turns_return),
+        cmocka_unit_test(z_rotation_agrees_with_mpfr),
+        cmocka_unit_test(zonal_functions_follow_their_axis),
+        cmocka_unit_test(bad_matrices_are_refused_and_nothing_is_written),
+        cmocka_unit_test(bad_arguments_are_refused_and_nothing_is_written),
+        cmocka_unit_test(nan_stays_in_its_band),
         cmocka_unit_test(quaternions_turn_as_documented),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -45,6 +45,7 @@ REFERENCE(sh_irradiance, prt_sh_irradiance(n, in, out))
 REFERENCE(sh_window_hann, prt_sh_window(n, PRT_WINDOW_HANN, n, in, out))
 REFERENCE(sh_window_lanczos, prt_sh_window(n, PRT_WINDOW_LANCZOS, n, in, out))
 REFERENCE(sh_window_positive, prt_sh_window(n, PRT_WINDOW_POSITIVE, n, in, out))
+REFERENCE(sh_rotate, prt_sh_rotate(n, in, in + 9 + 6, out))
 REFERENCE(sh_dot, *out = prt_sh_dot(n, in, in + n * n))
 REFERENCE(shade_diffuse, prt_shade_diffuse(n, in, in + n * n, (prt_rgb *)(void *)out))
 
@@ -56,7 +57,7 @@ static const reference references[] = {
     { "sh_hemisphere", reference_sh_hemisphere }, { "sh_convolve", reference_sh_convolve },
     { "sh_irradiance", reference_sh_irradiance }, { "sh_window_hann", reference_sh_window_hann },
     { "sh_window_lanczos", reference_sh_window_lanczos }, { "sh_window_positive", reference_sh_window_positive },
-    { "sh_dot", reference_sh_dot }, { "shade_diffuse", reference_shade_diffuse },
+    { "sh_rotate", reference_sh_rotate }, { "sh_dot", reference_sh_dot }, { "shade_diffuse", reference_shade_diffuse },
 };
 
 static const reference *find_reference(const char *name) {
@@ -96,12 +97,24 @@ static double fill_scalar(const char *name, int item) {
     return 2 * u - 1;
 }
 
+/* A rotation, and after it its cosines and sines. */
+static void fill_rotation(double *r) {
+    double q[4], turn[8];
+    int i;
+    for (i = 0; i < 4; i++) q[i] = 2 * uniform() - 1;
+    prt_rotation_from_quaternion(q, r);
+    prt__euler(r, turn);
+    memcpy(r + 9, turn, 6 * sizeof *turn);
+}
+
 static void fill_inputs(const kernel *k, int item, double *in) {
     int i, j;
     for (i = 0; i < k->param_count; i++) {
         const param *p = &k->params[i];
         if (p->kind == PARAM_DIRECTION) { fill_direction(p->name, item, in); in += 3; }
         else if (p->kind == PARAM_SCALAR) *in++ = fill_scalar(p->name, item);
+        else if (!strcmp(p->name, "r")) { fill_rotation(in); in += 9; }
+        else if (!strcmp(p->name, "turn")) in += 6;
         else if (p->kind == PARAM_INPUT)
             for (j = 0; j < p->count; j++) *in++ = 2 * uniform() - 1;
     }

@@ -1,0 +1,300 @@
+/* Kernels of the room >>rotate: one rotation of one vector, without a matrix for any band above 2.
+
+   R = Rz(a) Ry(b) Rz(g), and Ry(b) = S Rz(-b) S with S the swap of y and z, which is its own inverse. A turn about z
+   mixes only (l,m) with (l,-m), and the matrix of S is constant, symmetric, and three quarters empty [Pinchon 2007]. */
+#include "kernels.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { LARGEST = 8, SIZE = 2 * LARGEST - 1 };
+
+/* ---- the matrices of the swap ---- */
+
+static xreal block[LARGEST][SIZE][SIZE];               /* [l][l+m][l+k] */
+
+static xreal above(int i, int l, int a, int k) {       /* P_i(a) at column k [Ivanic 1996] */
+    xreal (*q)[SIZE] = block[l - 1], *r = block[1][i + 1];
+    if (k == l) return r[2] * q[a + l - 1][2 * l - 2] - r[0] * q[a + l - 1][0];
+    if (k == -l) return r[2] * q[a + l - 1][0] + r[0] * q[a + l - 1][2 * l - 2];
+    return r[1] * q[a + l - 1][k + l - 1];
+}
+
+static xreal recursion(int l, int m, int k) {
+    int am = abs(m), s = m < 0 ? -1 : 1;
+    long d = abs(k) == l ? 2L * l * (2 * l - 1) : (long)(l + k) * (l - k);
+    xreal u = x_sqrt(x_ratio((long)(l + m) * (l - m), d)), sum = 0;
+    xreal v = x_sqrt(x_ratio((m ? 1L : 2L) * (l + am - 1) * (l + am), d)) / 2;
+    xreal w = x_sqrt(x_ratio((long)(l - am - 1) * (l - am), d)) / 2;
+    if (am < l) sum = u * above(0, l, m, k);
+    if (m == 0) return sum - v * (above(1, l, 1, k) + above(-1, l, -1, k));
+    if (am == 1) sum += v * x_sqrt(2) * above(s, l, 0, k);
+    else sum += v * (above(1, l, m - s, k) - s * above(-1, l, s - m, k));
+    if (am < l - 1) sum -= w * (above(1, l, m + s, k) + s * above(-1, l, -m - s, k));
+    return sum;
+}
+
+/* Every entry is the root of an integer over 2^(l-1): rounded to that form it is exact, ones and zeros among them. */
+static xreal exact(int l, xreal v) {
+    xreal scale = (xreal)(1L << (l - 1)), square = v * v * scale * scale, off;
+    long whole = (long)(square + x_ratio(1, 2));
+    off = square - (xreal)whole;
+    if (off > 1e-15L || off < -1e-15L) { fprintf(stderr, "prt_codegen: swap of band %d is off\n", l); exit(1); }
+    return (v < 0 ? -1 : 1) * x_sqrt((xreal)whole) / scale;
+}
+
+static xreal swap_entry(int l, int m, int k) {
+    if (block[0][0][0] == 0) {
+        int i, a, b;
+        block[0][0][0] = 1;
+        block[1][0][1] = block[1][1][0] = block[1][2][2] = 1;          /* y and z trade places, x stays */
+        for (i = 2; i < LARGEST; i++)
+            for (a = -i; a <= i; a++)
+                for (b = -i; b <= i; b++) block[i][i + a][i + b] = exact(i, recursion(i, a, b));
+    }
+    return block[l][l + m][l + k];
+}
+
+/* ---- one vector, straight-line ---- */
+
+typedef struct angle { node cos[LARGEST], sin[LARGEST]; } angle;       /* of m times the angle */
+
+static void multiples(kernel *k, int bands, int turn, int at, angle *x) {
+    int m;
+    x->cos[1] = k_element(k, turn, at);
+    x->sin[1] = k_element(k, turn, at + 1);
+    for (m = 2; m < bands; m++) {
+        x->cos[m] = k_sub(k, k_mul(k, x->cos[1], x->cos[m - 1]), k_mul(k, x->sin[1], x->sin[m - 1]));
+        x->sin[m] = k_add(k, k_mul(k, x->sin[1], x->cos[m - 1]), k_mul(k, x->cos[1], x->sin[m - 1]));
+    }
+}
+
+static void turn_z(kernel *k, int l, const angle *x, int direction, node *f) {         /* f[l+m] */
+    int m;
+    for (m = 1; m <= l; m++) {
+        node c = f[l + m], s = f[l - m], cc = k_mul(k, x->cos[m], c), ss = k_mul(k, x->sin[m], s);
+        node cs = k_mul(k, x->cos[m], s), sc = k_mul(k, x->sin[m], c);
+        f[l + m] = direction > 0 ? k_sub(k, cc, ss) : k_add(k, cc, ss);
+        f[l - m] = direction > 0 ? k_add(k, cs, sc) : k_sub(k, cs, sc);
+    }
+}
+
+static void swap_yz(kernel *k, int l, node *f) {
+    node g[SIZE];
+    int row, column;
+    for (row = -l; row <= l; row++) {
+        g[l + row] = k_const(k, 0);
+        for (column = -l; column <= l; column++)
+            g[l + row] = k_add(k, g[l + row], k_scale(k, swap_entry(l, row, column), f[l + column]));
+    }
+    for (row = 0; row <= 2 * l; row++) f[row] = g[row];
+}
+
+/* Band 1 is R in the order y, z, x. */
+static void rotate_band_1(kernel *k, const node *r, const node *f, int out) {
+    static const int axis[3] = { 1, 2, 0 };
+    int i, j;
+    for (i = 0; i < 3; i++) {
+        node sum = k_const(k, 0);
+        for (j = 0; j < 3; j++) sum = k_add(k, sum, k_mul(k, r[3 * axis[i] + axis[j]], f[j]));
+        kernel_output(k, out, 1 + i, sum);
+    }
+}
+
+/* Band 2 alone, where the angles would not pay: the quadratic form x.A x without trace turns into R A R^T. */
+static void rotate_band_2(kernel *k, const node *r, const node *f, int out) {
+    node third = k_scale(k, 1 / x_sqrt(3), f[2]), a[3][3], b[3][3], yy, zz;
+    int i, j;
+    a[0][0] = k_sub(k, f[4], third);
+    a[1][1] = k_neg(k, k_add(k, f[4], third));
+    a[2][2] = k_scale(k, 2, third);
+    a[0][1] = a[1][0] = f[0];
+    a[1][2] = a[2][1] = f[1];
+    a[0][2] = a[2][0] = f[3];
+    for (i = 0; i < 3; i++)
+        for (j = 0; j < 3; j++)
+            b[i][j] = k_madd(k, r[3 * i + 2], a[2][j], k_madd(k, r[3 * i + 1], a[1][j], k_mul(k, r[3 * i], a[0][j])));
+#define PART(i, j) k_madd(k, b[i][2], r[3 * j + 2], k_madd(k, b[i][1], r[3 * j + 1], k_mul(k, b[i][0], r[3 * j])))
+    yy = PART(1, 1);
+    zz = PART(2, 2);
+    kernel_output(k, out, 4, PART(0, 1));
+    kernel_output(k, out, 5, PART(1, 2));
+    kernel_output(k, out, 6, k_scale(k, x_sqrt(3) / 2, zz));
+    kernel_output(k, out, 7, PART(0, 2));
+    kernel_output(k, out, 8, k_neg(k, k_add(k, yy, k_scale(k, x_ratio(1, 2), zz))));
+#undef PART
+}
+
+kernel *describe_sh_rotate(int bands) {
+    char name[64], summary[160];
+    kernel *k;
+    node r[9], f[LARGEST * LARGEST];
+    int pr, pturn, pf, out, i, l;
+    snprintf(name, sizeof name, "sh_rotate_%d", bands);
+    snprintf(summary, sizeof summary, "rotation of one vector, %d bands; turn: cos, sin of a, b, g", bands);
+    k = kernel_new(name, summary);
+    pr = kernel_param(k, "r", PARAM_INPUT, 9);
+    pturn = kernel_param(k, "turn", PARAM_INPUT, 6);
+    pf = kernel_param(k, "f", PARAM_INPUT, bands * bands);
+    out = kernel_param(k, "out", PARAM_OUTPUT, bands * bands);
+    for (i = 0; i < 9; i++) r[i] = k_element(k, pr, i);
+    for (i = 0; i < bands * bands; i++) f[i] = k_element(k, pf, i);
+    kernel_output(k, out, 0, f[0]);
+    rotate_band_1(k, r, f + 1, out);
+    if (bands == 3) rotate_band_2(k, r, f + 4, out);
+    if (bands > 3) {
+        angle a, b, g;
+        multiples(k, bands, pturn, 0, &a);
+        multiples(k, bands, pturn, 2, &b);
+        multiples(k, bands, pturn, 4, &g);
+        for (l = 2; l < bands; l++) {
+            node *band = f + l * l;
+            turn_z(k, l, &g, 1, band);
+            swap_yz(k, l, band);
+            turn_z(k, l, &b, -1, band);
+            swap_yz(k, l, band);
+            turn_z(k, l, &a, 1, band);
+            for (i = 0; i <= 2 * l; i++) kernel_output(k, out, l * l + i, band[i]);
+        }
+    }
+    return k;
+}
+
+/* ---- the swap in SIMD: four lanes ----
+
+   Cosines and sines of even and odd order make four classes of at most four coefficients up to band 7, and the swap
+   takes a class to a class: a small matrix, written as a sum of shuffled vectors times constant ones. Bands 2 and 3
+   share one set of vectors. A term names its vectors and the lane of them that each lane of the result takes (4 to 7:
+   of the second); the constants follow from that and from the matrices, and it is checked that nothing is left out. */
+
+enum { EVEN_COS, ODD_COS, EVEN_SIN, ODD_SIN, CLASSES };
+static const char *const class_name[CLASSES] = { "even_cos", "odd_cos", "even_sin", "odd_sin" };
+
+typedef struct label { int l, m; } label;              /* l = 0: a lane without meaning */
+typedef struct swap_term { int to, from, second, lane[4]; } swap_term;
+typedef struct swap_form {
+    int first_band, last_band;
+    label lanes[CLASSES][4];
+    swap_term terms[16];                               /* of one class after those of another; lane[0] < 0 ends them */
+} swap_form;
+
+#define END { 0, 0, 0, { -1, 0, 0, 0 } }
+static const swap_form forms[] = {
+    { 2, 3, { { { 3, 0 }, { 3, 2 }, { 2, 0 }, { 2, 2 } }, { { 3, 1 }, { 3, 3 }, { 2, 1 }, { 0, 0 } },
+              { { 0, 0 }, { 3, -2 }, { 0, 0 }, { 2, -2 } }, { { 3, -1 }, { 3, -3 }, { 2, -1 }, { 0, 0 } } },
+      { { EVEN_COS, ODD_SIN, EVEN_COS, { 0, 1, 6, 7 } }, { EVEN_COS, ODD_SIN, EVEN_COS, { 1, 0, 7, 6 } },
+        { ODD_COS, ODD_COS, EVEN_SIN, { 0, 1, 7, 7 } }, { ODD_COS, ODD_COS, EVEN_SIN, { 1, 0, 7, 7 } },
+        { EVEN_SIN, EVEN_SIN, ODD_COS, { 1, 1, 6, 6 } },
+        { ODD_SIN, EVEN_COS, ODD_SIN, { 0, 1, 6, 6 } }, { ODD_SIN, EVEN_COS, ODD_SIN, { 1, 0, 6, 6 } }, END } },
+    { 4, 4, { { { 4, 0 }, { 4, 2 }, { 4, 4 }, { 0, 0 } }, { { 4, 1 }, { 4, 3 }, { 0, 0 }, { 0, 0 } },
+              { { 0, 0 }, { 4, -2 }, { 4, -4 }, { 0, 0 } }, { { 4, -1 }, { 4, -3 }, { 0, 0 }, { 0, 0 } } },
+      { { EVEN_COS, EVEN_COS, EVEN_COS, { 0, 1, 2, 3 } }, { EVEN_COS, EVEN_COS, EVEN_COS, { 1, 2, 0, 0 } },
+        { EVEN_COS, EVEN_COS, EVEN_COS, { 2, 0, 1, 1 } },
+        { ODD_COS, EVEN_SIN, EVEN_SIN, { 1, 2, 2, 2 } }, { ODD_COS, EVEN_SIN, EVEN_SIN, { 2, 1, 1, 1 } },
+        { EVEN_SIN, ODD_COS, ODD_COS, { 0, 0, 1, 1 } }, { EVEN_SIN, ODD_COS, ODD_COS, { 1, 1, 0, 0 } },
+        { ODD_SIN, ODD_SIN, ODD_SIN, { 0, 1, 2, 3 } }, { ODD_SIN, ODD_SIN, ODD_SIN, { 1, 0, 0, 0 } }, END } },
+    { 5, 5, { { { 5, 0 }, { 5, 2 }, { 5, 4 }, { 0, 0 } }, { { 5, 1 }, { 5, 3 }, { 5, 5 }, { 0, 0 } },
+              { { 0, 0 }, { 5, -2 }, { 5, -4 }, { 0, 0 } }, { { 5, -1 }, { 5, -3 }, { 5, -5 }, { 0, 0 } } },
+      { { EVEN_COS, ODD_SIN, ODD_SIN, { 0, 1, 2, 3 } }, { EVEN_COS, ODD_SIN, ODD_SIN, { 1, 2, 0, 0 } },
+        { EVEN_COS, ODD_SIN, ODD_SIN, { 2, 0, 1, 1 } },
+        { ODD_COS, ODD_COS, ODD_COS, { 0, 1, 2, 3 } }, { ODD_COS, ODD_COS, ODD_COS, { 1, 2, 0, 0 } },
+        { ODD_COS, ODD_COS, ODD_COS, { 2, 0, 1, 1 } },
+        { EVEN_SIN, EVEN_SIN, EVEN_SIN, { 0, 1, 2, 3 } }, { EVEN_SIN, EVEN_SIN, EVEN_SIN, { 2, 2, 1, 1 } },
+        { ODD_SIN, EVEN_COS, EVEN_COS, { 0, 1, 2, 3 } }, { ODD_SIN, EVEN_COS, EVEN_COS, { 1, 2, 0, 0 } },
+        { ODD_SIN, EVEN_COS, EVEN_COS, { 2, 0, 1, 1 } }, END } },
+    { 6, 6, { { { 6, 0 }, { 6, 2 }, { 6, 4 }, { 6, 6 } }, { { 6, 1 }, { 6, 3 }, { 6, 5 }, { 0, 0 } },
+              { { 0, 0 }, { 6, -2 }, { 6, -4 }, { 6, -6 } }, { { 6, -1 }, { 6, -3 }, { 6, -5 }, { 0, 0 } } },
+      { { EVEN_COS, EVEN_COS, EVEN_COS, { 0, 1, 2, 3 } }, { EVEN_COS, EVEN_COS, EVEN_COS, { 1, 2, 3, 0 } },
+        { EVEN_COS, EVEN_COS, EVEN_COS, { 2, 3, 0, 1 } }, { EVEN_COS, EVEN_COS, EVEN_COS, { 3, 0, 1, 2 } },
+        { ODD_COS, EVEN_SIN, EVEN_SIN, { 1, 2, 3, 3 } }, { ODD_COS, EVEN_SIN, EVEN_SIN, { 2, 3, 1, 1 } },
+        { ODD_COS, EVEN_SIN, EVEN_SIN, { 3, 1, 2, 2 } },
+        { EVEN_SIN, ODD_COS, ODD_COS, { 0, 0, 1, 2 } }, { EVEN_SIN, ODD_COS, ODD_COS, { 1, 1, 2, 0 } },
+        { EVEN_SIN, ODD_COS, ODD_COS, { 2, 2, 0, 1 } },
+        { ODD_SIN, ODD_SIN, ODD_SIN, { 0, 1, 2, 3 } }, { ODD_SIN, ODD_SIN, ODD_SIN, { 1, 2, 0, 0 } },
+        { ODD_SIN, ODD_SIN, ODD_SIN, { 2, 0, 1, 1 } }, END } },
+    { 7, 7, { { { 7, 0 }, { 7, 2 }, { 7, 4 }, { 7, 6 } }, { { 7, 1 }, { 7, 3 }, { 7, 5 }, { 7, 7 } },
+              { { 0, 0 }, { 7, -2 }, { 7, -4 }, { 7, -6 } }, { { 7, -1 }, { 7, -3 }, { 7, -5 }, { 7, -7 } } },
+      { { EVEN_COS, ODD_SIN, ODD_SIN, { 0, 1, 2, 3 } }, { EVEN_COS, ODD_SIN, ODD_SIN, { 1, 2, 3, 0 } },
+        { EVEN_COS, ODD_SIN, ODD_SIN, { 2, 3, 0, 1 } }, { EVEN_COS, ODD_SIN, ODD_SIN, { 3, 0, 1, 2 } },
+        { ODD_COS, ODD_COS, ODD_COS, { 0, 1, 2, 3 } }, { ODD_COS, ODD_COS, ODD_COS, { 1, 2, 3, 0 } },
+        { ODD_COS, ODD_COS, ODD_COS, { 2, 3, 0, 1 } }, { ODD_COS, ODD_COS, ODD_COS, { 3, 0, 1, 2 } },
+        { EVEN_SIN, EVEN_SIN, EVEN_SIN, { 0, 1, 2, 3 } }, { EVEN_SIN, EVEN_SIN, EVEN_SIN, { 2, 2, 3, 1 } },
+        { EVEN_SIN, EVEN_SIN, EVEN_SIN, { 3, 3, 1, 2 } },
+        { ODD_SIN, EVEN_COS, EVEN_COS, { 0, 1, 2, 3 } }, { ODD_SIN, EVEN_COS, EVEN_COS, { 1, 2, 3, 0 } },
+        { ODD_SIN, EVEN_COS, EVEN_COS, { 2, 3, 0, 1 } }, { ODD_SIN, EVEN_COS, EVEN_COS, { 3, 0, 1, 2 } }, END } },
+};
+#undef END
+
+/* The constants of a term, with each matrix entry counted as done; 1 if they are 1 in every lane that has a meaning. */
+static int term_constants(const swap_form *form, const swap_term *t, int done[LARGEST][SIZE][SIZE], xreal *constant) {
+    int i, ones = 1;
+    for (i = 0; i < 4; i++) {
+        label to = form->lanes[t->to][i];
+        label from = t->lane[i] < 4 ? form->lanes[t->from][t->lane[i]] : form->lanes[t->second][t->lane[i] - 4];
+        constant[i] = 0;
+        if (!to.l || to.l != from.l || done[to.l][to.l + to.m][to.l + from.m]++) {
+            ones &= !to.l;
+            continue;
+        }
+        constant[i] = swap_entry(to.l, to.m, from.m);
+        ones &= constant[i] == 1;
+    }
+    return ones;
+}
+
+static void check_complete(const swap_form *form, int done[LARGEST][SIZE][SIZE]) {
+    int l, m, k;
+    for (l = form->first_band; l <= form->last_band; l++)
+        for (m = -l; m <= l; m++)
+            for (k = -l; k <= l; k++)
+                if (swap_entry(l, m, k) != 0 && !done[l][l + m][l + k]) {
+                    fprintf(stderr, "prt_codegen: the terms of band %d leave out entry (%d,%d)\n", l, m, k);
+                    exit(1);
+                }
+}
+
+static void print_source(FILE *to, const swap_term *t) {
+    if (t->from == t->second && t->lane[0] == 0 && t->lane[1] == 1 && t->lane[2] == 2 && t->lane[3] == 3)
+        fprintf(to, "%s", class_name[t->from]);
+    else
+        fprintf(to, "PRT__QUAD_SHUFFLE(%s, %s, %d, %d, %d, %d)", class_name[t->from], class_name[t->second], t->lane[0],
+                t->lane[1], t->lane[2], t->lane[3]);
+}
+
+static void print_swap_form(FILE *to, const swap_form *form) {
+    static int done[LARGEST][SIZE][SIZE];
+    const swap_term *t;
+    int i, rows = 0, product[16] = { 0 };
+    fprintf(to, "/* y and z swapped in band%s %d", form->first_band < form->last_band ? "s" : "", form->first_band);
+    if (form->first_band < form->last_band) fprintf(to, " and %d", form->last_band);
+    fprintf(to, " */\nPRT__INLINE void prt__swap_yz_%d(prt__classes *v) {\n    static const prt_real c[][4] = {\n",
+            form->last_band);
+    for (t = form->terms; t->lane[0] >= 0; t++) {
+        xreal constant[4];
+        if (term_constants(form, t, done, constant)) continue;
+        product[t - form->terms] = ++rows;
+        fprintf(to, "%s        { ", rows > 1 ? ",\n" : "");
+        for (i = 0; i < 4; i++) {
+            char text[64];
+            x_print(constant[i], 21, text);
+            fprintf(to, constant[i] == 0 ? "%s0" : "%sPRT__R(%s)", i ? ", " : "", text);
+        }
+        fprintf(to, " }");
+    }
+    check_complete(form, done);
+    fprintf(to, "\n    };\n");
+    for (i = 0; i < CLASSES; i++) fprintf(to, "    prt__quad %s = v->%s;\n", class_name[i], class_name[i]);
+    for (t = form->terms; t->lane[0] >= 0; t++) {
+        int row = product[t - form->terms], first = t == form->terms || t[-1].to != t->to;
+        fprintf(to, "    v->%s %s ", class_name[t->to], first ? "=" : "+=");
+        if (row) fprintf(to, "prt__quad_load(c[%d]) * ", row - 1);
+        print_source(to, t);
+        fprintf(to, ";\n");
+    }
+    fprintf(to, "}\n\n");
+}
+
+void print_swaps(FILE *to) {
+    size_t i;
+    for (i = 0; i < sizeof forms / sizeof forms[0]; i++) print_swap_form(to, &forms[i]);
+}
