@@ -16,7 +16,8 @@ static xreal norm_ratio(int l, int m) {
 
 xreal ch_factor_a(int l, int m) { return sh_factor_a(l, m) * x_sqrt(norm_ratio(l - 1, m) / norm_ratio(l, m)); }
 
-static xreal ch_factor_c(int l, int m) {
+xreal ch_factor_c(int l, int m) {
+    if (l < m + 2) return 0;
     if (l == 2) return ch_factor_a(2, 0) * ch_factor_a(1, 0) / 2;                  /* l > m + 1, so m = 0 */
     return x_ratio((long)(l + m - 2) * (l - 1 - m), 4L * (l - 2) * (l - 1)) * ch_factor_a(l, m) * ch_factor_a(l - 1, m);
 }

@@ -26,7 +26,7 @@ void sh_values(kernel *k, int bands, node x, node y, node z, node *values);     
 kernel *named_kernel(const char *family, const char *what, int bands);             /* "family_bands": "what, bands bands" */
 kernel *describe_at(const basis *b, int bands);
 
-factor sh_factor_a, ch_factor_a;
+factor sh_factor_a, ch_factor_a, ch_factor_c;
 kernel *describe_sh_eval(int bands);
 kernel *describe_sh_at(int bands);
 kernel *describe_ch_eval(int bands);

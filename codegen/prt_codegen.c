@@ -74,16 +74,16 @@ static void print_root_table(FILE *to, const char *name, const char *what, int c
     fprintf(to, "    };\n    return table;\n}\n\n");
 }
 
-/* double prt__ch_steps()[(l-1)l/2 + m] = the factor of z in CH's recurrence, 0 <= m < l < bands */
-static void print_ch_table(FILE *to, int bands) {
+/* double prt__ch_a()[(l-1)l/2 + m], prt__ch_c(): the factors of CH's recurrence, 0 <= m < l < bands */
+static void print_ch_table(FILE *to, const char *name, factor *of, int bands) {
     int l, m, column = 0, count = bands * (bands - 1) / 2;
-    fprintf(to, "/* a(l,m) of CH's recurrence at (l-1)l/2 + m, 0 <= m < l < %d */\n", bands);
-    fprintf(to, "PRT__STATIC const double *prt__ch_steps(void) {\n    static const double table[%d] = {\n", count);
+    fprintf(to, "/* %s(l,m) of CH's recurrence at (l-1)l/2 + m, 0 <= m < l < %d */\n", name, bands);
+    fprintf(to, "PRT__STATIC const double *prt__ch_%s(void) {\n    static const double table[%d] = {\n", name, count);
     for (l = 1; l < bands; l++)
         for (m = 0; m < l; m++) {
             char text[64];
             int last = l == bands - 1 && m == l - 1;
-            x_print(ch_factor_a(l, m), 17, text);
+            x_print(of(l, m), 17, text);
             column += fprintf(to, "%s%s%s", column ? " " : "        ", text, last ? "" : ",");
             if (column > 98 || last) { fprintf(to, "\n"); column = 0; }
         }
@@ -93,7 +93,8 @@ static void print_ch_table(FILE *to, int bands) {
 static int print_table(FILE *to, const request *r) {
     if (!strcmp(r->table, "ch_steps")) {
         if (r->first_bands < 2 || r->first_bands > 200) return fail("table", r->table, "give --bands from 2 to 200");
-        print_ch_table(to, r->first_bands);
+        print_ch_table(to, "a", ch_factor_a, r->first_bands);
+        print_ch_table(to, "c", ch_factor_c, r->first_bands);
         return 0;
     }
     if (!strcmp(r->table, "swap_yz")) {
