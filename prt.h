@@ -52,7 +52,7 @@
      >>window     Hann, Lanczos and positive windows
      >>rotate     rotation matrices of SH, applied to one or many vectors
      >>product    triple products
-     >>ch         cpherical harmonics: evaluation, norms, conversion, moments, dot product
+     >>ch         cpherical harmonics: evaluation, norms, conversion, moments, dot product, rotation
      >>shade      exit radiance from transfer
      >>reference  slow evaluators by other routes, for tests
      >>generated  straight-line kernels, written by codegen/
@@ -473,8 +473,9 @@ PRTDEF double prt_ch_norm(int l, int m);
    bands with the same operation counts as SH's; above, the recurrence
      C(l) = a z C(l-1) - c C(l-2),   a = a_SH sqrt(H(l-1,m)/H(l,m)),   c = a(l) a(l-1) (l+m-2)(l-1-m) / (4(l-2)(l-1)),
    from C(m,m) = Y(m,m), with a and c from tables to 64 bands; beyond, O(l) for each. Time: SH's within 5 %, above 10
-   bands 0.7 to 0.85 of it, since SH makes its factors from roots (bench job ch_eval). Absolute error float/double, with that of the direction's length: 1.7e-6/4e-15 to 10 bands, 3.3e-6/6e-15 to
-   14, 1.7e-5/4e-14 to 33, 8e-5/2e-13 to 64 (tests/test_ch.c). */
+   bands 0.7 to 0.85 of it, since SH makes its factors from roots (bench job ch_eval). Absolute error float/double, with
+   that of the direction's length: 1.7e-6/4e-15 to 10 bands, 3.3e-6/6e-15 to 14, 1.7e-5/4e-14 to 33, 8e-5/2e-13 to 64
+   (tests/test_ch.c). */
 PRTDEF prt_result prt_ch_eval    (int bands, prt_vec3 dir, prt_real *c);
 PRTDEF prt_result prt_ch_eval_n  (int bands, int count, const prt_vec3 *dirs, prt_real *c);
 PRTDEF prt_result prt_ch_eval_soa(int bands, int count, const prt_real *x, const prt_real *y, const prt_real *z,
@@ -493,6 +494,11 @@ PRTDEF prt_result prt_ch_to_moments  (int bands, const prt_real *ch, prt_real *m
 
 /* int f g over the sphere, by the Gram matrix; 0 for bad arguments. Cost: two conversions. */
 PRTDEF prt_real   prt_ch_dot(int bands, const prt_real *f, const prt_real *g);
+
+/* The turned function, f'(R v) = f(v), by way of SH and with the accuracy of prt_sh_rotate; out may alias f. Errors:
+   PRT_ERR_BANDS, PRT_ERR_NULL, PRT_ERR_ROTATION. Cost: two conversions beside prt_sh_rotate. Stack: 2 PRT_MAX_BANDS^2
+   prt_reals. */
+PRTDEF prt_result prt_ch_rotate(int bands, const prt_real rotation[9], const prt_real *f, prt_real *out);
 
 /* ------------------------------------------------------------------------------------------------- >>shade ---- */
 
@@ -3293,6 +3299,16 @@ PRTDEF prt_real prt_ch_dot(int bands, const prt_real *f, const prt_real *g) {
         for (l = m; l < bands; l++) sum += a.cosine[l] * b.cosine[l] + (m ? a.sine[l] * b.sine[l] : 0);
     }
     return (prt_real)sum;
+}
+
+PRTDEF prt_result prt_ch_rotate(int bands, const prt_real rotation[9], const prt_real *f, prt_real *out) {
+    prt_real sh[PRT_SH_COUNT(PRT_MAX_BANDS)], turned[PRT_SH_COUNT(PRT_MAX_BANDS)];
+    prt_result r;
+    if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
+    if (!rotation || !f || !out) return PRT_ERR_NULL;
+    prt_sh_from_ch(bands, f, sh);
+    r = prt_sh_rotate(bands, rotation, sh, turned);
+    return r == PRT_OK ? prt_ch_from_sh(bands, turned, out) : r;
 }
 
 /* ------------------------------------------------------------------------------------------------- >>shade ---- */

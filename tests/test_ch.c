@@ -494,6 +494,63 @@ static void dot_is_the_integral(void **state) {
     }
 }
 
+/* A turn about (1,2,2)/3 by an angle, and its mirror image. */
+static void turn(double angle, int mirror, prt_real rotation[9]) {
+    double c = cos(angle), s = sin(angle), x = 1.0 / 3, y = 2.0 / 3, z = 2.0 / 3, r[9];
+    int i;
+    r[0] = c + x * x * (1 - c);     r[1] = x * y * (1 - c) - z * s; r[2] = x * z * (1 - c) + y * s;
+    r[3] = y * x * (1 - c) + z * s; r[4] = c + y * y * (1 - c);     r[5] = y * z * (1 - c) - x * s;
+    r[6] = z * x * (1 - c) - y * s; r[7] = z * y * (1 - c) + x * s; r[8] = c + z * z * (1 - c);
+    for (i = 0; i < 9; i++) rotation[i] = (prt_real)(mirror ? -r[i] : r[i]);
+}
+
+static prt_vec3 turned_direction(const prt_real r[9], prt_vec3 v) {
+    return prt__vec3(r[0] * v.x + r[1] * v.y + r[2] * v.z, r[3] * v.x + r[4] * v.y + r[5] * v.z,
+                     r[6] * v.x + r[7] * v.y + r[8] * v.z);
+}
+
+static void rotation_moves_the_features(void **state) {
+    static const int bands_of[] = { 1, 2, 3, 5, 8, 10, 17, 33 };
+    static prt_real f[MAX_N], out[MAX_N];
+    uint64_t seed = 6364136223846793005u;
+    size_t b;
+    int k;
+    (void)state;
+    for (b = 0; b < sizeof bands_of / sizeof bands_of[0]; b++)
+        for (k = 0; k < 12; k++) {
+            int bands = bands_of[b], n = bands * bands, j;
+            prt_real r[9];
+            double size;
+            turn(0.1 + 0.6 * k, k & 1, r);
+            random_vector(&seed, n, f);
+            size = norm_of(n, f);
+            assert_int_equal(prt_ch_rotate(bands, r, f, out), PRT_OK);
+            for (j = 0; j < 10; j++) {
+                prt_vec3 v = random_direction(&seed);
+                assert_near(prt_ch_at(bands, out, turned_direction(r, v)), prt_ch_at(bands, f, v),
+                            12 * bands * EPS * size * bands / sqrt(4 * PRT__PI));
+            }
+            assert_int_equal(prt_ch_rotate(bands, r, f, f), PRT_OK);                    /* may alias */
+            assert_memory_equal(f, out, (size_t)n * sizeof(prt_real));
+        }
+}
+
+static void bad_rotations_write_nothing(void **state) {
+    prt_real identity[9] = { 1, 0, 0, 0, 1, 0, 0, 0, 1 }, skew[9] = { 1, 0.5, 0, 0, 1, 0, 0, 0, 1 };
+    prt_real f[4] = { 1, 2, 3, 4 }, out[4] = { 7, 7, 7, 7 };
+    static const prt_real untouched[4] = { 7, 7, 7, 7 };
+    (void)state;
+    assert_int_equal(prt_ch_rotate(0, identity, f, out), PRT_ERR_BANDS);
+    assert_int_equal(prt_ch_rotate(PRT_MAX_BANDS + 1, identity, f, out), PRT_ERR_BANDS);
+    assert_int_equal(prt_ch_rotate(2, NULL, f, out), PRT_ERR_NULL);
+    assert_int_equal(prt_ch_rotate(2, identity, NULL, out), PRT_ERR_NULL);
+    assert_int_equal(prt_ch_rotate(2, identity, f, NULL), PRT_ERR_NULL);
+    assert_int_equal(prt_ch_rotate(2, skew, f, out), PRT_ERR_ROTATION);
+    skew[1] = (prt_real)NAN;
+    assert_int_equal(prt_ch_rotate(2, skew, f, out), PRT_ERR_ROTATION);
+    assert_memory_equal(out, untouched, sizeof out);
+}
+
 static void bad_arguments_write_nothing(void **state) {
     prt_vec3 d = { 0, 0, 1 };
     prt_real c[4] = { 7, 7, 7, 7 }, f[4] = { 1, 1, 1, 1 };
@@ -527,6 +584,8 @@ int main(void) {
         cmocka_unit_test(conversion_is_the_integral_of_c_and_y), cmocka_unit_test(conversion_keeps_the_function),
         cmocka_unit_test(conversions_may_alias), cmocka_unit_test(gram_matrix_by_quadrature),
         cmocka_unit_test(moments_give_the_projection), cmocka_unit_test(dot_is_the_integral),
+        cmocka_unit_test(rotation_moves_the_features),
+        cmocka_unit_test(bad_rotations_write_nothing),
         cmocka_unit_test(bad_arguments_write_nothing)
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
