@@ -427,7 +427,7 @@ PRTDEF prt_result prt_sh_rotate_by_soa(int bands, const prt_real *blocks, int co
    Accuracy, float/double, tilts of 1e-7 from the poles included, for |f_i| <= 1: 2e-6/4e-15 to 8 bands, 3e-7/8e-16 a
    band above; 1000 turns by 2 pi/1000 about x, y or z at 6 bands come back within 1.2e-4 in float, which is the rounding
    of R and of the constants taken 1000 times. Cost: 9 55 122 224 358 528 738 multiplications and about 0.6 times as many
-   additions for 2 to 8 bands, most of them four at a time, one root, two divisions; 0.4 to 0.8 times the time of
+   additions for 2 to 8 bands, most of them four at a time, one root, two divisions; 0.4 to 0.85 times the time of
    DirectXMath's XMSHRotate at 3 to 6 bands. Above 8 bands the swap is computed on the way, about l^2 divisions a band:
    for several vectors prt_sh_rotation and prt_sh_rotate_by_n are faster. */
 PRTDEF prt_result prt_sh_rotate     (int bands, const prt_real rotation[9], const prt_real *f, prt_real *out);
