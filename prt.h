@@ -407,29 +407,29 @@ PRTDEF prt_result prt_sh_rotation   (int bands, const prt_real rotation[9], prt_
 /* out = blocks f for one vector f[bands^2]; out may be f. Cost: prt_sh_rotation_count multiply-adds. */
 PRTDEF prt_result prt_sh_rotate_by  (int bands, const prt_real *blocks, const prt_real *f, prt_real *out);
 
-/* out = blocks f for many vectors; out may be f, and overlap it in no other way. Each vector gets the same bits whatever
-   the count and its place. Layouts: _n [count][bands^2], vector after vector (a coloured light in three planes is three
-   vectors); _n_rgb [count][bands^2][3], red, green and blue of each coefficient side by side; _soa coefficient i of
-   vector k at [i*stride + k], stride >= count. Cost: prt_sh_rotation_count multiply-adds a vector (three times that for
-   _n_rgb), done in SIMD across vectors: at 4 bands an array beyond the caches is turned at about the speed at which it can
-   be copied (AVX2 and wider; half of that with SSE2 alone). */
+/* out = blocks f for many vectors; out may be f, and overlap it in no other way. Each vector gets the same bits
+   whatever the count and its place. Layouts: _n [count][bands^2], vector after vector (a coloured light in three
+   planes is three vectors); _n_rgb [count][bands^2][3], red, green and blue of each coefficient side by side; _soa
+   coefficient i of vector k at [i*stride + k], stride >= count. Cost: prt_sh_rotation_count multiply-adds a vector
+   (three times that for _n_rgb), done in SIMD across vectors: at 4 bands an array beyond the caches is turned at about
+   the speed at which it can be copied (AVX2 and wider; half of that with SSE2 alone). */
 PRTDEF prt_result prt_sh_rotate_by_n(int bands, const prt_real *blocks, int count, const prt_real *f, prt_real *out);
 PRTDEF prt_result prt_sh_rotate_by_n_rgb(int bands, const prt_real *blocks, int count, const prt_real *f,
                                          prt_real *out);
 PRTDEF prt_result prt_sh_rotate_by_soa(int bands, const prt_real *blocks, int count, const prt_real *f, prt_real *out,
                                        size_t stride);
 
-/* f turned by one rotation: out = M(R) f, without a matrix for any band above 2. To 3 bands (4 in SIMD) from the entries
-   of R alone: band 2 as R A R^T of a symmetric matrix A, band 3 as a symmetric tensor. Above as Z(a) S Z(-b) S Z(g) with
-   R = Rz(a) Ry(b) Rz(g), turns about z and the constant sparse swap S of y and z [Pinchon 2007]: cosines and sines are
-   quotients of entries of R, good at the poles too, and no angle is computed. Reflections go by M(-R) = (-1)^l M(R). out
-   may be f.
+/* f turned by one rotation: out = M(R) f, without a matrix for any band above 2. To 3 bands (4 in SIMD) from the
+   entries of R alone: band 2 as R A R^T of a symmetric matrix A, band 3 as a symmetric tensor. Above as Z(a) S Z(-b) S
+   Z(g) with R = Rz(a) Ry(b) Rz(g), turns about z and the constant sparse swap S of y and z [Pinchon 2007]: cosines and
+   sines are quotients of entries of R, good at the poles too, and no angle is computed. Reflections go by M(-R) =
+   (-1)^l M(R). out may be f.
    Accuracy, float/double, tilts of 1e-7 from the poles included, for |f_i| <= 1: 2e-6/4e-15 to 8 bands, 3e-7/8e-16 a
-   band above; 1000 turns by 2 pi/1000 about x, y or z at 6 bands come back within 1.2e-4 in float, which is the rounding
-   of R and of the constants taken 1000 times. Cost: 9 55 122 224 358 528 738 multiplications and about 0.6 times as many
-   additions for 2 to 8 bands, most of them four at a time, one root, two divisions; 0.4 to 0.85 times the time of
-   DirectXMath's XMSHRotate at 3 to 6 bands. Above 8 bands the swap is computed on the way, about l^2 divisions a band:
-   for several vectors prt_sh_rotation and prt_sh_rotate_by_n are faster. */
+   band above; 1000 turns by 2 pi/1000 about x, y or z at 6 bands come back within 1.2e-4 in float, which is the
+   rounding of R and of the constants taken 1000 times. Cost: 9 55 122 224 358 528 738 multiplications and about 0.6
+   times as many additions for 2 to 8 bands, most of them four at a time, one root, two divisions; 0.4 to 0.85 times
+   the time of DirectXMath's XMSHRotate at 3 to 6 bands. Above 8 bands the swap is computed on the way, about l^2
+   divisions a band: for several vectors prt_sh_rotation and prt_sh_rotate_by_n are faster. */
 PRTDEF prt_result prt_sh_rotate     (int bands, const prt_real rotation[9], const prt_real *f, prt_real *out);
 
 /* The same about z by an angle in radians (finite, else PRT_ERR_VALUE), from +x towards +y. out may be f.
@@ -2129,7 +2129,8 @@ PRT__STATIC int prt__rotation_terms(int l, int m, const prt_real *block1, const 
 
 /* Block l from blocks 1 and l-1. Inside |k| < 0.7 l every P_i(a) is r_i0 Q(a,k). Outside it is the form that
    [Ivanic 1996] uses for |k| = l only: taken in time, it is what keeps rounding errors from growing. */
-PRT__STATIC void prt__rotation_block(int l, const prt_real *block1, const prt_real *last, prt_real *PRT__RESTRICT block) {
+PRT__STATIC void prt__rotation_block(int l, const prt_real *block1, const prt_real *last,
+                                     prt_real *PRT__RESTRICT block) {
     prt_real scale[PRT_MAX_BANDS];                              /* 1/sqrt(d), the same for k and -k */
     int inner = (7 * l - 1) / 10, k, m;
     for (k = 0; k <= l; k++)
@@ -2306,7 +2307,7 @@ PRT__SHUFFLE(prt__block_lo, 0, 1, 2, 3, 16, 17, 18, 19, 4, 5, 6, 7, 20, 21, 22, 
 PRT__SHUFFLE(prt__block_hi, 8, 9, 10, 11, 24, 25, 26, 27, 12, 13, 14, 15, 28, 29, 30, 31)
 #endif
 
-enum { PRT__UNIT = 16 / (int)sizeof(prt_real), PRT__BLOCKS = PRT__VEC_BYTES / 16 };   /* numbers in 16 bytes, and so on */
+enum { PRT__UNIT = 16 / (int)sizeof(prt_real) };                /* numbers in 16 bytes */
 
 /* The transposed PRT__LANES x PRT__LANES matrix, in place: first within blocks of 16 bytes, then the blocks. */
 PRT__INLINE void prt__lanes_transpose(prt__vec *row) {
@@ -2467,9 +2468,9 @@ PRTDEF prt_result prt_sh_rotate_by_soa(int bands, const prt_real *blocks, int co
 
 /* ---- one vector, one rotation ---- */
 
-/* cos and sin of a, b, g with R = Rz(a) Ry(b) Rz(g), in this order, for a proper rotation, then those of 2g. R holds the
-   phasor of g in its last row, times sin b. That of a in the last column is lost near the poles; but the upper left
-   corner holds those of a + g, times 1 + cos b, and of a - g, times 1 - cos b, and one of the two is always well
+/* cos and sin of a, b, g with R = Rz(a) Ry(b) Rz(g), in this order, for a proper rotation, then those of 2g. R holds
+   the phasor of g in its last row, times sin b. That of a in the last column is lost near the poles; but the upper
+   left corner holds those of a + g, times 1 + cos b, and of a - g, times 1 - cos b, and one of the two is always well
    defined. What is of length 1 up to the error of R needs no root to be normalised, one step of Newton's does; a takes
    back what rounding does to the length of g. */
 PRT__INLINE void prt__euler(const prt_real *r, prt_real *turn) {
