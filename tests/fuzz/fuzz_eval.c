@@ -187,7 +187,10 @@ static void rotate(source *s, int bands, size_t n) {
         for (k = 0; k < 4; k++) q[k] = take_real(s);
         (void)prt_rotation_from_quaternion(q, rotation);
     }
-    switch (take(s) % 5) {
+    switch (take(s) % 8) {
+        case 4: CHECK(prt_sh_rotate(bands, rotation, maybe(s, reals(s, n)), out(s, n))); break;
+        case 5: CHECK(prt_sh_rotate_z(bands, take_real(s), maybe(s, reals(s, n)), out(s, n))); break;
+        case 6: CHECK(prt_sh_zonal_to(bands, reals(s, n), take_direction(s), out(s, n))); break;
         case 0: CHECK(prt_sh_rotation(bands, rotation, out(s, blocks))); break;
         case 1: CHECK(prt_sh_rotate_by(bands, reals(s, blocks), maybe(s, reals(s, n)), out(s, n))); break;
         case 2: CHECK(prt_sh_rotate_by_n(bands, reals(s, blocks), count, reals(s, items * n), out(s, items * n))); break;
