@@ -98,11 +98,17 @@ static void reference_of(int bands, const double dir[3], const reference *truth)
 
 /* ------------------------------------------------------------------------------------------- directions ---- */
 
+/* v as a float holds it. Through memory, since GCC 12 -O2 vectorises (double)(float)v away. */
+static double rounded(int as_float, double v) {
+    volatile float f = (float)v;
+    return as_float ? (double)f : v;
+}
+
 static int add_direction(double dirs[][3], int count, int as_float, double x, double y, double z) {
     if (count == MAX_DIRECTIONS) return count;
-    dirs[count][0] = as_float ? (double)(float)x : x;
-    dirs[count][1] = as_float ? (double)(float)y : y;
-    dirs[count][2] = as_float ? (double)(float)z : z;
+    dirs[count][0] = rounded(as_float, x);
+    dirs[count][1] = rounded(as_float, y);
+    dirs[count][2] = rounded(as_float, z);
     return count + 1;
 }
 

@@ -5,7 +5,8 @@ and accuracy.
 usage: report.py [--speed CSV] [--accuracy CSV] [--peers CSV] [--root DIRECTORY]
 
 Without options it reads bench/results/{speed,accuracy,peers}.csv of the tree that it stands in; a file that is not
-there is left out, with what depends on it. Needs gnuplot for the plots.
+there is left out, with what depends on it. --peers takes the CSV of a prt_bench with peers plugged in (peer.h), and
+keeps in bench/results/peers.csv the groups in which a peer took part. Needs gnuplot for the plots.
 """
 import argparse
 import csv
@@ -211,6 +212,18 @@ def side_by_side(peers):
     return "\n".join(text)
 
 
+def keep_peers(path, kept):
+    """Copies the groups in which a peer took part."""
+    lines = path.read_text().splitlines(keepends=True)
+    head = next(line for line in lines if not line.startswith("#"))
+
+    def group(row):
+        return row["job"], row["bands"], row["precision"]
+    rows = {line: next(csv.DictReader([head, line])) for line in lines if not line.startswith("#") and line != head}
+    wanted = {group(row) for row in rows.values() if row["peer"] == "1"}
+    kept.write_text("".join(line for line in lines if line not in rows or group(rows[line]) in wanted))
+
+
 def write_speed(root, speed, peers):
     plot_eval_time(root, speed)
     text = [f"# Speed\n\n{NOTE}\n", stamp(speed), """
@@ -378,6 +391,12 @@ def main():
     for name in ("speed", "accuracy", "peers"):
         options.add_argument("--" + name, type=pathlib.Path)
     options = options.parse_args()
+    if options.peers:
+        if not options.peers.exists():
+            complain(f"cannot read {options.peers}")
+        kept = options.root / "bench" / "results" / "peers.csv"
+        keep_peers(options.peers, kept)
+        options.peers = kept
     tables = {}
     for name in ("speed", "accuracy", "peers"):
         path = getattr(options, name) or options.root / "bench" / "results" / (name + ".csv")
