@@ -58,6 +58,21 @@ EACH (rotate_by,    "rotate_by", "prt_sh_rotate_by",    ALL, 16,    prt_sh_rotat
 BATCH(rotate_by_n,  "rotate_by_n", "prt_sh_rotate_by_n", ALL, ITEMS, prt_sh_rotate_by_n(n, BLOCKS, items, ROWS, OUT), BLOCK_FLOPS, n * n, n * n)
 BATCH(rotate_by_soa, "rotate_by_n", "prt_sh_rotate_by_soa", ALL, ITEMS, prt_sh_rotate_by_soa(n, BLOCKS, items, ROWS, OUT, (size_t)items), BLOCK_FLOPS, n * n, n * n)
 
+/* >>product: operations are those of the terms of the sum, about 0.4 n^5, in multiply-adds; the functions need fewer */
+#define TERM_FLOPS (0.8 * n * n * n * n * n)
+#define OTHER (ROWS + items)
+EACH (product,      "product",  "prt_sh_product",       ALL, 64,    prt_sh_product(n, F, G, OUT), TERM_FLOPS, 2 * n * n, n * n)
+EACH (product_grid, "product",  "grid at any band",     ALL, 64,    prt__grid_product(n, F, G, OUT), TERM_FLOPS, 2 * n * n, n * n)
+EACH (square,       "product",  "prt_sh_square",        ALL, 64,    prt_sh_square(n, F, OUT), TERM_FLOPS, n * n, n * n)
+EACH (zonal,        "product",  "prt_sh_product_zonal", ALL, 64,    prt_sh_product_zonal(n, F, G, OUT), 0, n * n + n, n * n)
+BATCH(product_soa,  "product_soa", "prt_sh_product_soa", LOW, 256,  prt_sh_product_soa(n, items, ROWS, OTHER, OUT, (size_t)items), TERM_FLOPS, 2 * n * n, n * n)
+EACH (mask_hann,    "mask",     "prt_sh_mask, Hann",    LOW, 64,    prt_sh_mask(n, PRT_WINDOW_HANN, F, G, OUT), 0, 2 * n * n, n * n)
+EACH (mask_filter,  "mask",     "prt_sh_mask_filter, positive", LOW, 64, prt_sh_mask_filter(n, PRT_WINDOW_POSITIVE, F, G, OUT), 0, 2 * n * n, n * n)
+EACH (exp,          "exp",      "prt_sh_exp",           LOW, 64,    prt_sh_exp(n, F, OUT), 0, n * n, n * n)
+EACH (exp_linear,   "exp",      "prt_sh_exp_linear",    LOW, 64,    prt_sh_exp_linear(n, F, OUT), 4.0 * n * n, n * n, n * n)
+EACH (log,          "log",      "prt_sh_log, 12 steps", LOW, 64,    prt_sh_log(n, 12, (prt_real)0.02, F, OUT), 0, n * n, n * n)
+EACH (dering,       "dering",   "prt_sh_dering",        LOW, 16,    prt_sh_dering(n, F, OUT, NULL), 0, n * n, n * n)
+
 /* >>ch: the same recurrence with other factors */
 EACH (ch_eval,      "ch_eval",  "prt_ch_eval",          ALL, ITEMS, prt_ch_eval(n, DIR(k), OUT), EVAL_FLOPS, 3, n * n)
 BATCH(ch_eval_n,    "ch_eval_n", "prt_ch_eval_n",       LOW, ITEMS, prt_ch_eval_n(n, items, DIRS, OUT), EVAL_FLOPS, 3, n * n)

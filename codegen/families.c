@@ -19,5 +19,7 @@ const family families[] = {
     { "sh_rotate", 2, 8, FORM_ONE, describe_sh_rotate },
     { "sh_dot", 1, 10, 0, describe_sh_dot },
     { "shade_diffuse", 1, 10, 0, describe_shade_diffuse },
+    { "sh_product", 1, 6, FORM_ONE | FORM_LANES, describe_sh_product },
+    { "sh_square", 1, 5, FORM_ONE, describe_sh_square },
 };
 const int family_count = (int)(sizeof families / sizeof families[0]);

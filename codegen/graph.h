@@ -38,6 +38,7 @@ typedef struct kernel {
     int node_count, node_capacity;
     int *buckets;                                      /* hash table of node indices + 1 */
     int bucket_count;
+    int stores_last;                                   /* all loads come before all stores: an output may be an input */
     output *outputs;
     int output_count, output_capacity;
 } kernel;

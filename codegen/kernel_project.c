@@ -153,7 +153,6 @@ static xreal x_cos(xreal v) {
     for (k = 2; k < 60; k += 2) { term *= -v * v / ((xreal)k * (k - 1)); sum += term; }
     return sum;
 }
-static xreal x_sin(xreal v) { return 2 * x_cos(v / 2 - x_pi() / 2) * x_cos(v / 2); }
 
 kernel *describe_sh_window_hann(int bands) {
     xreal weight[64];

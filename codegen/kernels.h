@@ -46,5 +46,9 @@ kernel *describe_shade_diffuse(int bands);
 kernel *describe_sh_rotate(int bands);
 
 void print_swaps(FILE *to);                            /* tables and code of the swap of y and z, four lanes */
+kernel *describe_sh_product(int bands);
+kernel *describe_sh_square(int bands);
+
+void print_grid_tables(FILE *to, int bands);           /* table_grid.c */
 
 #endif

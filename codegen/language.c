@@ -55,7 +55,9 @@ static void open_header_form(FILE *to, const kernel *k, const char *name, const 
         case PARAM_SCALAR:    column += fprintf(to, "%s %s", scalar, p->name); break;
         case PARAM_DIRECTION: column += fprintf(to, "%s x, %s y, %s z", scalar, scalar, scalar); break;
         case PARAM_INPUT:     column += fprintf(to, "const prt_real *%s", p->name); break;
-        case PARAM_OUTPUT: case PARAM_RESULT: column += fprintf(to, "prt_real *PRT__RESTRICT %s", p->name); break;
+        case PARAM_OUTPUT: case PARAM_RESULT:
+            column += fprintf(to, "prt_real *%s%s", k->stores_last ? "" : "PRT__RESTRICT ", p->name);
+            break;
         }
     }
     if (*last) {
@@ -346,6 +348,14 @@ static void operation_text(printer *p, const node_data *n, char *text, place whe
     else snprintf(text, EXPRESSION_MAX, bare ? "%s %c %s" : "(%s %c %s)", t[0], symbol[n->op], t[1]);
 }
 
+static void keep_temporary(printer *p, node n, const char *text, char name[16]) {
+    p->temporary[n] = ++p->temporary_count;
+    snprintf(name, 16, "t%d", p->temporary[n]);
+    fprintf(p->to, "    ");
+    fprintf(p->to, p->d->declare, name);
+    fprintf(p->to, "%s;\n", text);
+}
+
 /* The text of node n; a node that is used again, or whose text grows long, is first stored in a temporary. Except for a
    statement, text holds OPERAND_MAX characters. */
 static void expression(printer *p, node n, char *text, place where) {
@@ -362,12 +372,19 @@ static void expression(printer *p, node n, char *text, place where) {
         if (d->uses == 1 && (where == STATEMENT || strlen(whole) <= INLINE_MAX)) { strcpy(text, whole); return; }
         if (d->uses == 1) operation_text(p, d, whole, STATEMENT);
     }
-    p->temporary[n] = ++p->temporary_count;
-    snprintf(name, sizeof name, "t%d", p->temporary[n]);
-    fprintf(p->to, "    ");
-    fprintf(p->to, p->d->declare, name);
-    fprintf(p->to, "%s;\n", whole);
+    keep_temporary(p, n, whole, name);
     strcpy(text, name);
+}
+
+/* Every output into a temporary, so that the stores that follow need no load any more. */
+static void print_values(printer *p) {
+    char text[EXPRESSION_MAX], name[16];
+    int i;
+    for (i = 0; i < p->k->output_count; i++) {
+        node n = p->k->outputs[i].value;
+        expression(p, n, text, STATEMENT);
+        if (!p->temporary[n] && p->k->nodes[n].op != OP_CONST) keep_temporary(p, n, text, name);
+    }
 }
 
 void print_kernel(FILE *to, const dialect *d, kernel *k, const char *name) {
@@ -383,6 +400,7 @@ void print_kernel(FILE *to, const dialect *d, kernel *k, const char *name) {
     if (!p.temporary) { fprintf(stderr, "prt_codegen: out of memory\n"); exit(1); }
     print_summary(to, d, k);
     d->open(to, k, name);
+    if (k->stores_last) print_values(&p);
     for (i = 0; i < k->output_count; i++) {
         const output *o = &k->outputs[i];
         const param *into = &k->params[o->param];

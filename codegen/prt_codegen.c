@@ -91,6 +91,11 @@ static void print_ch_table(FILE *to, const char *name, factor *of, int bands) {
 }
 
 static int print_table(FILE *to, const request *r) {
+    if (!strcmp(r->table, "grids")) {
+        if (r->count < 1 || r->count > 64) return fail("table", r->table, "give --count from 1 to 64");
+        print_grid_tables(to, r->count);
+        return 0;
+    }
     if (!strcmp(r->table, "ch_steps")) {
         if (r->first_bands < 2 || r->first_bands > 200) return fail("table", r->table, "give --bands from 2 to 200");
         print_ch_table(to, "a", ch_factor_a, r->first_bands);
@@ -101,7 +106,7 @@ static int print_table(FILE *to, const request *r) {
         print_swaps(to);
         return 0;
     }
-    if (strcmp(r->table, "roots")) return fail("unknown table", r->table, "use roots, ch_steps or swap_yz");
+    if (strcmp(r->table, "roots")) return fail("unknown table", r->table, "use roots, ch_steps, grids or swap_yz");
     if (r->count < 2 || r->count > 100000) return fail("table", r->table, "give --count from 2 to 100000");
     print_root_table(to, "roots", "sqrt(k)", r->count, 0);
     print_root_table(to, "inverse_roots", "1/sqrt(k), and 0", r->count, 1);

@@ -18,6 +18,35 @@ xreal x_sqrt(xreal v) {
     return s;
 }
 
+xreal x_sin(xreal v) {
+    xreal term = v, sum = v;
+    int k;
+    for (k = 2; k < 60; k += 2) {
+        term *= -v * v / ((xreal)k * (k + 1));
+        sum += term;
+    }
+    return sum;
+}
+
+/* Newton on P(count) from Tricomi's guess; nodes descend from +1. */
+void x_gauss(int count, int i, xreal *z, xreal *w) {
+    xreal x = (xreal)cos(3.141592653589793 * (i + 0.75) / (count + 0.5)), slope = 1;
+    int step, k;
+    for (step = 0; step < 7; step++) {
+        xreal p1 = 1, p2 = 0;
+        for (k = 1; k <= count; k++) {
+            xreal p = ((2 * k - 1) * x * p1 - (k - 1) * p2) / k;
+            p2 = p1;
+            p1 = p;
+        }
+        slope = count * (x * p1 - p2) / (x * x - 1);
+        x -= p1 / slope;
+    }
+    if (2 * i + 1 == count) x = 0;
+    *z = x;
+    *w = 2 / ((1 - x * x) * slope * slope);
+}
+
 /* Rounds to nearest at the last digit; a tie may go either way, but no irrational meets one. */
 void x_print(xreal v, int digits, char *text) {
     char digit[48] = { 0 };

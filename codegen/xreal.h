@@ -10,6 +10,8 @@ typedef long double xreal;     /* binary128 on 64-bit Arm, RISC-V and s390x */
 
 xreal x_pi(void);
 xreal x_sqrt(xreal v);
+xreal x_sin(xreal v);                                  /* |v| <= 4 */
+void  x_gauss(int count, int i, xreal *z, xreal *w);   /* node i of count and its weight, Gauss-Legendre, on -1 ... 1 */
 xreal x_ratio(long numerator, long denominator);
 void  x_print(xreal v, int digits, char *text);    /* shortest form with so many significant digits; text holds 64 */
 

@@ -47,6 +47,8 @@ REFERENCE(sh_window_lanczos, prt_sh_window(n, PRT_WINDOW_LANCZOS, n, in, out))
 REFERENCE(sh_window_positive, prt_sh_window(n, PRT_WINDOW_POSITIVE, n, in, out))
 REFERENCE(sh_rotate, prt_sh_rotate(n, in, in + 9 + 6, out))
 REFERENCE(sh_dot, *out = prt_sh_dot(n, in, in + n * n))
+REFERENCE(sh_product, prt_sh_product(n, in, in + n * n, out))
+REFERENCE(sh_square, prt_sh_square(n, in, out))
 REFERENCE(shade_diffuse, prt_shade_diffuse(n, in, in + n * n, (prt_rgb *)(void *)out))
 
 typedef struct reference { const char *name; void (*call)(int n, const double *in, double *out); } reference;
@@ -58,6 +60,8 @@ static const reference references[] = {
     { "sh_irradiance", reference_sh_irradiance }, { "sh_window_hann", reference_sh_window_hann },
     { "sh_window_lanczos", reference_sh_window_lanczos }, { "sh_window_positive", reference_sh_window_positive },
     { "sh_rotate", reference_sh_rotate }, { "sh_dot", reference_sh_dot }, { "shade_diffuse", reference_shade_diffuse },
+    { "sh_dot", reference_sh_dot }, { "shade_diffuse", reference_shade_diffuse },
+    { "sh_product", reference_sh_product }, { "sh_square", reference_sh_square },
 };
 
 static const reference *find_reference(const char *name) {

@@ -1,0 +1,253 @@
+/* Kernels of the room >>product: the product of two SH expansions, truncated to their bands, and the square of one.
+
+   With W(l,m) = f(l,m) + i f(l,-m), m >= 0 (real for m = 0), the sum over triple product coefficients falls into
+     W(l3,a+b) += G W(l1,a) W'(l2,b),      W(l2,b) += G W(l3,a+b) conj W'(l1,a),      W(l1,a) += likewise,
+   G = int Y(l1,a) Y(l2,b) Y(l3,a+b): one complex term where the real tensor has two or four. Each unordered triple of
+   functions is put under one of its pairs. A pair (P,Q) computes X = P Q' + Q P' once for all its thirds R, and one
+   linear form T = sum G R (and T' from the other factor) which serves P and Q. Pairs are chosen greedily, those first
+   that serve most triples for their own cost. */
+#include "kernels.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { MAX_BANDS = 8, MAX_ELEMENTS = MAX_BANDS * (MAX_BANDS + 1) / 2, MAX_TRIPLES = 4096 };
+
+typedef struct element { int l, m; } element;                      /* W(l,m) */
+typedef struct triple { int low, other, top; xreal g; int done; } triple;        /* m(top) = m(low) + m(other) */
+typedef struct complex_node { node re, im; } complex_node;
+
+/* A pair of elements and how they meet: SUM multiplies them into m(p) + m(q), DIFFERENCE into m(p) - m(q). */
+typedef enum meeting { SUM, DIFFERENCE } meeting;
+typedef struct pair { int p, q; meeting how; } pair;
+
+typedef struct product {
+    kernel *k;
+    int bands, element_count, triple_count;
+    element elements[MAX_ELEMENTS];
+    triple triples[MAX_TRIPLES];
+    complex_node f[MAX_ELEMENTS], g[MAX_ELEMENTS], out[MAX_ELEMENTS];
+    node mean;                                                     /* sum of f_i g_i, for coefficient 0 */
+} product;
+
+/* ---- triple product coefficients by Gauss-Legendre quadrature, exact but for rounding in 113 bits ---- */
+
+/* p(l,m)(z) of the complex harmonics, unit norm over the sphere */
+static xreal legendre(int l, int m, xreal z) {
+    xreal p1 = x_sqrt(1 / (4 * x_pi())), p2 = 0, s = x_sqrt(1 - z * z);
+    int k;
+    for (k = 1; k <= m; k++) p1 *= s * x_sqrt(x_ratio(2L * k + 1, 2L * k));
+    for (k = m + 1; k <= l; k++) {
+        xreal a = x_sqrt(x_ratio(4L * k * k - 1, (long)k * k - (long)m * m));
+        xreal b = x_sqrt(x_ratio((long)(k - 1) * (k - 1) - (long)m * m, 4L * (k - 1) * (k - 1) - 1));
+        xreal p = a * (z * p1 - b * p2);
+        p2 = p1;
+        p1 = p;
+    }
+    return p1;
+}
+
+/* int Y(l1,a) Y(l2,b) Y(l3,a+b) of the real harmonics */
+static xreal coefficient(element low, element other, element top) {
+    int count = (low.l + other.l + top.l) / 2 + 1, i;
+    xreal sum = 0;
+    for (i = 0; i < count; i++) {
+        xreal z, w;
+        x_gauss(count, i, &z, &w);
+        sum += w * legendre(low.l, low.m, z) * legendre(other.l, other.m, z) * legendre(top.l, top.m, z);
+    }
+    sum *= 2 * x_pi();
+    if (low.m && other.m) sum *= x_sqrt(x_ratio(1, 2));
+    return sum > 1e-28 || sum < -1e-28 ? sum : 0;                  /* some vanish by accident */
+}
+
+static void find_triples(product *p) {
+    int i, j, k;
+    for (i = 0; i < p->element_count; i++)
+        for (j = i; j < p->element_count; j++)
+            for (k = 0; k < p->element_count; k++) {
+                element a = p->elements[i], b = p->elements[j], c = p->elements[k];
+                triple *t = &p->triples[p->triple_count];
+                if (a.m + b.m != c.m || (a.l + b.l + c.l) % 2) continue;
+                if (a.l > b.l + c.l || b.l > a.l + c.l || c.l > a.l + b.l) continue;
+                /* with m(low) = 0 the other two stand alike: each unordered triple once */
+                if ((a.m == 0 && j > k) || (b.m == 0 && i > k)) continue;
+                t->low = i;
+                t->other = j;
+                t->top = k;
+                t->g = coefficient(a, b, c);
+                t->done = 0;
+                if (t->g != 0) p->triple_count++;
+            }
+}
+
+/* ---- pairs ---- */
+
+/* The third element of a triple that the pair serves, or -1. */
+static int third(const product *p, const triple *t, pair pr) {
+    int m_p = p->elements[pr.p].m, m_q = p->elements[pr.q].m, members[3], i, j, found = -1;
+    members[0] = t->low;
+    members[1] = t->other;
+    members[2] = t->top;
+    for (i = 0; i < 3 && found < 0; i++)
+        for (j = 0; j < 3; j++)
+            if (i != j && members[i] == pr.p && members[j] == pr.q) { found = members[3 - i - j]; break; }
+    if (found < 0) return -1;
+    if (pr.p != pr.q && (found == pr.p || found == pr.q)) return -1;           /* {A,A,B} belongs to the pair (A,A) */
+    return p->elements[found].m == (pr.how == SUM ? m_p + m_q : m_p - m_q) ? found : -1;
+}
+
+static int served(const product *p, pair pr) {
+    int i, count = 0;
+    for (i = 0; i < p->triple_count; i++) count += !p->triples[i].done && third(p, &p->triples[i], pr) >= 0;
+    return count;
+}
+
+/* Multiplications that a pair costs besides those of its triples */
+static int pair_cost(const product *p, pair pr) {
+    int width = (p->elements[pr.p].m ? 2 : 1) * (p->elements[pr.q].m ? 2 : 1);
+    return pr.p == pr.q ? 3 * width : 6 * width;
+}
+
+static int best_pair(const product *p, pair *best) {
+    double best_rate = 0;
+    pair pr;
+    for (pr.p = 0; pr.p < p->element_count; pr.p++)
+        for (pr.q = 0; pr.q < p->element_count; pr.q++) {
+            int how;
+            for (how = SUM; how <= DIFFERENCE; how++) {
+                double rate;
+                pr.how = (meeting)how;
+                if (pr.how == SUM && pr.q > pr.p) continue;
+                if (pr.how == DIFFERENCE && !p->elements[pr.q].m) continue;
+                if (pr.how == DIFFERENCE && p->elements[pr.q].m > p->elements[pr.p].m) continue;
+                if (pr.how == DIFFERENCE && p->elements[pr.q].m == p->elements[pr.p].m && pr.q > pr.p) continue;
+                rate = (double)served(p, pr) / pair_cost(p, pr);
+                if (rate > best_rate) { best_rate = rate; *best = pr; }
+            }
+        }
+    return best_rate > 0;
+}
+
+/* ---- complex arithmetic on nodes ---- */
+
+static complex_node c_zero(kernel *k) {
+    complex_node z;
+    z.re = z.im = k_const(k, 0);
+    return z;
+}
+static complex_node c_conj(kernel *k, complex_node a) {
+    a.im = k_neg(k, a.im);
+    return a;
+}
+static complex_node c_add(kernel *k, complex_node a, complex_node b) {
+    a.re = k_add(k, a.re, b.re);
+    a.im = k_add(k, a.im, b.im);
+    return a;
+}
+static complex_node c_mul(kernel *k, complex_node a, complex_node b) {
+    complex_node r;
+    r.re = k_sub(k, k_mul(k, a.re, b.re), k_mul(k, a.im, b.im));
+    r.im = k_add(k, k_mul(k, a.re, b.im), k_mul(k, a.im, b.re));
+    return r;
+}
+static complex_node c_scale(kernel *k, xreal s, complex_node a) {
+    a.re = k_scale(k, s, a.re);
+    a.im = k_scale(k, s, a.im);
+    return a;
+}
+static complex_node real_part(kernel *k, complex_node a) {
+    a.im = k_const(k, 0);
+    return a;
+}
+
+/* a b' + b a' (a' = a and b' = b in a square), or a a' if both are one element */
+static complex_node symmetric(kernel *k, complex_node a, complex_node a2, complex_node b, complex_node b2, int one) {
+    complex_node ab = c_mul(k, a, b2);
+    if (one) return ab;
+    if (a.re == a2.re && b.re == b2.re) return c_add(k, ab, ab);
+    return c_add(k, ab, c_mul(k, b, a2));
+}
+
+/* ---- one pair with everything that it serves ---- */
+
+static void add_to(product *p, int to, complex_node v) {
+    if (p->elements[to].m == 0) v = real_part(p->k, v);
+    p->out[to] = c_add(p->k, p->out[to], v);
+}
+
+static void serve(product *p, pair pr) {
+    kernel *k = p->k;
+    int one = pr.p == pr.q, i;
+    complex_node q = p->f[pr.q], q2 = p->g[pr.q], x, form = c_zero(k), form2 = c_zero(k);
+    if (pr.how == DIFFERENCE) { q = c_conj(k, q); q2 = c_conj(k, q2); }
+    x = symmetric(k, p->f[pr.p], p->g[pr.p], q, q2, one);
+    for (i = 0; i < p->triple_count; i++) {
+        triple *t = &p->triples[i];
+        int r = t->done ? -1 : third(p, t, pr);
+        if (r < 0) continue;
+        t->done = 1;
+        if (r != pr.p) {
+            form = c_add(k, form, c_scale(k, t->g, p->f[r]));
+            form2 = c_add(k, form2, c_scale(k, t->g, p->g[r]));
+        }
+        if (r == 0) p->mean = k_add(k, p->mean, x.re);             /* one factor for all of them, at the end */
+        else add_to(p, r, c_scale(k, t->g, x));
+    }
+    /* R = P Q: P gets R conj(Q), Q gets R conj(P).  R = P conj(Q): P gets R Q, Q gets conj(R) P. */
+    q = p->f[pr.q];
+    q2 = p->g[pr.q];
+    if (pr.how == SUM) { q = c_conj(k, q); q2 = c_conj(k, q2); }
+    add_to(p, pr.p, symmetric(k, form, form2, q, q2, 0));
+    if (one) return;
+    if (pr.how == SUM) add_to(p, pr.q, symmetric(k, form, form2, c_conj(k, p->f[pr.p]), c_conj(k, p->g[pr.p]), 0));
+    else add_to(p, pr.q, symmetric(k, c_conj(k, form), c_conj(k, form2), p->f[pr.p], p->g[pr.p], 0));
+}
+
+static complex_node input(kernel *k, int from, element e) {
+    complex_node w;
+    w.re = k_element(k, from, e.l * (e.l + 1) + e.m);
+    w.im = e.m ? k_element(k, from, e.l * (e.l + 1) - e.m) : k_const(k, 0);
+    return w;
+}
+
+static kernel *describe(int bands, int square) {
+    char name[64], summary[160];
+    product *p = (product *)calloc(1, sizeof *p);
+    kernel *k;
+    int f, g, out, l, m, i;
+    pair pr;
+    if (!p) { fprintf(stderr, "prt_codegen: out of memory\n"); exit(1); }
+    snprintf(name, sizeof name, square ? "sh_square_%d" : "sh_product_%d", bands);
+    snprintf(summary, sizeof summary, "%s, %d band%s", square ? "square" : "product", bands, bands == 1 ? "" : "s");
+    p->k = k = kernel_new(name, summary);
+    k->stores_last = 1;                                            /* out may be f or g */
+    f = g = kernel_param(k, "f", PARAM_INPUT, bands * bands);
+    if (!square) g = kernel_param(k, "g", PARAM_INPUT, bands * bands);
+    out = kernel_param(k, "out", PARAM_OUTPUT, bands * bands);
+    p->bands = bands;
+    p->mean = k_const(k, 0);
+    for (l = 0; l < bands; l++)
+        for (m = 0; m <= l; m++) {
+            element e;
+            e.l = l;
+            e.m = m;
+            p->f[p->element_count] = input(k, f, e);
+            p->g[p->element_count] = input(k, g, e);
+            p->out[p->element_count] = c_zero(k);
+            p->elements[p->element_count++] = e;
+        }
+    find_triples(p);
+    while (best_pair(p, &pr)) serve(p, pr);
+    p->out[0].re = k_add(k, p->out[0].re, k_scale(k, x_sqrt(1 / (4 * x_pi())), p->mean));
+    for (i = 0; i < p->element_count; i++) {
+        element e = p->elements[i];
+        if (e.m) kernel_output(k, out, e.l * (e.l + 1) - e.m, p->out[i].im);
+        kernel_output(k, out, e.l * (e.l + 1) + e.m, p->out[i].re);
+    }
+    free(p);
+    return k;
+}
+
+kernel *describe_sh_product(int bands) { return describe(bands, 0); }
+kernel *describe_sh_square(int bands) { return describe(bands, 1); }

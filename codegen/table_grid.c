@@ -1,0 +1,53 @@
+/* Tables of the product grids of prt.h (room >>product): nodes, weights, sines. */
+#include "kernels.h"
+
+typedef struct table_printer { FILE *to; int column; } table_printer;
+
+static void table_open(table_printer *t, const char *name, const char *what, int count) {
+    fprintf(t->to, "/* %s */\nPRT__STATIC const double *prt__%s(void) {\n    static const double table[%d] = {\n",
+            what, name, count);
+    t->column = 0;
+}
+
+static void table_entry(table_printer *t, xreal value, int is_last) {
+    char text[64];
+    x_print(value, 20, text);
+    t->column += fprintf(t->to, "%s%s%s", t->column ? " " : "        ", text, is_last ? "" : ",");
+    if (t->column > 92 || is_last) { fprintf(t->to, "\n"); t->column = 0; }
+    if (is_last) fprintf(t->to, "    };\n    return table;\n}\n\n");
+}
+
+/* Node pairs in the grid of so many bands, and angles in a quarter turn of it */
+static int grid_quarter(int bands) { return (3 * bands + 1) / 4; }
+
+/* Gauss-Legendre nodes z >= 0 and weights of the grids of 1 ... bands bands, one grid after the other; weights times
+   pi/(2q), the length of an arc of azimuth, and half for the equator, which is used twice. */
+static void print_nodes(FILE *to, int bands, int weights) {
+    table_printer t = { to, 0 };
+    int n, i, total = 0;
+    for (n = 1; n <= bands; n++) total += grid_quarter(n);
+    table_open(&t, weights ? "grid_weights" : "grid_nodes",
+               weights ? "weights of the product grids" : "nodes of the product grids, z >= 0", total);
+    for (n = 1; n <= bands; n++)
+        for (i = 0; i < grid_quarter(n); i++) {
+            xreal z, w;
+            x_gauss((3 * n - 1) / 2, i, &z, &w);
+            w *= x_pi() / (2 * grid_quarter(n)) / (z > 0 ? 1 : 2);
+            table_entry(&t, weights ? w : z, n == bands && i + 1 == grid_quarter(n));
+        }
+}
+
+static void print_sines(FILE *to, int bands) {
+    table_printer t = { to, 0 };
+    int q, k, last = grid_quarter(bands);
+    table_open(&t, "grid_sines", "sin(pi k/(4q)), k = 0 ... 2q, for q = 1, 2, ...: q from place q^2-1",
+               last * last + 2 * last);
+    for (q = 1; q <= last; q++)
+        for (k = 0; k <= 2 * q; k++) table_entry(&t, x_sin(x_pi() * k / (4 * q)), q == last && k == 2 * q);
+}
+
+void print_grid_tables(FILE *to, int bands) {
+    print_nodes(to, bands, 0);
+    print_nodes(to, bands, 1);
+    print_sines(to, bands);
+}
