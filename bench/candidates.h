@@ -57,6 +57,9 @@ EACH (rotation,     "rotation", "prt_sh_rotation",      ALL, 16,    prt_sh_rotat
 EACH (rotate_by,    "rotate_by", "prt_sh_rotate_by",    ALL, 16,    prt_sh_rotate_by(n, BLOCKS, F, OUT), BLOCK_FLOPS, n * n, n * n)
 BATCH(rotate_by_n,  "rotate_by_n", "prt_sh_rotate_by_n", ALL, ITEMS, prt_sh_rotate_by_n(n, BLOCKS, items, ROWS, OUT), BLOCK_FLOPS, n * n, n * n)
 BATCH(rotate_by_soa, "rotate_by_n", "prt_sh_rotate_by_soa", ALL, ITEMS, prt_sh_rotate_by_soa(n, BLOCKS, items, ROWS, OUT, (size_t)items), BLOCK_FLOPS, n * n, n * n)
+EACH (rotate,       "rotate",   "prt_sh_rotate",        ALL, 16,    prt_sh_rotate(n, ROTATION, F, OUT), 0, n * n + 9, n * n)
+EACH (rotate_z,     "rotate_z", "prt_sh_rotate_z",      LOW, 64,    prt_sh_rotate_z(n, (prt_real)0.7, F, OUT), 0, n * n, n * n)
+EACH (zonal_to,     "zonal_to", "prt_sh_zonal_to",      LOW, 1024,  prt_sh_zonal_to(n, F, DIR(k), OUT), EVAL_FLOPS + 1.0 * n * n + n, n + 3, n * n)
 
 /* >>product: operations are those of the terms of the sum, about 0.4 n^5, in multiply-adds; the functions need fewer */
 #define TERM_FLOPS (0.8 * n * n * n * n * n)
