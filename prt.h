@@ -52,7 +52,7 @@
      >>window     Hann, Lanczos and positive windows, least values, deringing
      >>rotate     rotation matrices of SH, applied to one or many vectors
      >>product    products, squares, masks, logarithm and exponential; triple product coefficients
-     >>ch         cpherical harmonics: evaluation, norms, conversion, moments, dot product, rotation
+     >>ch         cpherical harmonics: evaluation, norms, conversion, moments, dot product, rotation, product
      >>shade      exit radiance from transfer
      >>reference  slow evaluators by other routes, for tests
      >>generated  straight-line kernels, written by codegen/
@@ -611,6 +611,11 @@ PRTDEF prt_real   prt_ch_dot(int bands, const prt_real *f, const prt_real *g);
    PRT_ERR_BANDS, PRT_ERR_NULL, PRT_ERR_ROTATION. Cost: two conversions beside prt_sh_rotate. Stack: 2 PRT_MAX_BANDS^2
    prt_reals. */
 PRTDEF prt_result prt_ch_rotate(int bands, const prt_real rotation[9], const prt_real *f, prt_real *out);
+
+/* The projection of f g to the same bands, by way of SH and with the accuracy of prt_sh_product; out may alias f and g.
+   Errors: PRT_ERR_BANDS, PRT_ERR_NULL. Cost: three conversions beside prt_sh_product. Stack: 3 PRT_MAX_BANDS^2
+   prt_reals beside its own. */
+PRTDEF prt_result prt_ch_product(int bands, const prt_real *f, const prt_real *g, prt_real *out);
 
 /* ------------------------------------------------------------------------------------------------- >>shade ---- */
 
@@ -4386,6 +4391,17 @@ PRTDEF prt_result prt_ch_rotate(int bands, const prt_real rotation[9], const prt
     prt_sh_from_ch(bands, f, sh);
     r = prt_sh_rotate(bands, rotation, sh, turned);
     return r == PRT_OK ? prt_ch_from_sh(bands, turned, out) : r;
+}
+
+PRTDEF prt_result prt_ch_product(int bands, const prt_real *f, const prt_real *g, prt_real *out) {
+    prt_real a[PRT_SH_COUNT(PRT_MAX_BANDS)], b[PRT_SH_COUNT(PRT_MAX_BANDS)], product[PRT_SH_COUNT(PRT_MAX_BANDS)];
+    prt_result r;
+    if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
+    if (!f || !g || !out) return PRT_ERR_NULL;
+    prt_sh_from_ch(bands, f, a);
+    prt_sh_from_ch(bands, g, b);
+    r = prt_sh_product(bands, a, b, product);
+    return r == PRT_OK ? prt_ch_from_sh(bands, product, out) : r;
 }
 
 /* ------------------------------------------------------------------------------------------------- >>shade ---- */

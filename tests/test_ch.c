@@ -535,7 +535,37 @@ static void rotation_moves_the_features(void **state) {
         }
 }
 
-static void bad_rotations_write_nothing(void **state) {
+/* Of factors whose product fits the bands the product is the product, at every direction; else it is SH's. */
+static void product_is_the_product(void **state) {
+    static prt_real f[MAX_N], g[MAX_N], a[MAX_N], b[MAX_N], ab[MAX_N], want[MAX_N];
+    uint64_t seed = 1442695040888963407u;
+    int bands, k, i;
+    (void)state;
+    for (bands = 1; bands <= 17; bands += bands < 9 ? 1 : 4) {
+        int n = bands * bands, half = (bands + 1) / 2;
+        for (k = 0; k < 4; k++) {
+            random_vector(&seed, n, f);
+            random_vector(&seed, n, g);
+            assert_int_equal(prt_ch_from_sh(bands, f, a), PRT_OK);
+            assert_int_equal(prt_ch_from_sh(bands, g, b), PRT_OK);
+            assert_int_equal(prt_ch_product(bands, a, b, ab), PRT_OK);
+            assert_int_equal(prt_sh_from_ch(bands, ab, ab), PRT_OK);
+            assert_int_equal(prt_sh_product(bands, f, g, want), PRT_OK);
+            assert_at_most(distance(n, ab, want), 40 * bands * EPS * norm_of(n, f) * norm_of(n, g));
+            for (i = half * half; i < n; i++) a[i] = b[i] = 0;
+            assert_int_equal(prt_ch_product(bands, a, b, ab), PRT_OK);
+            for (i = 0; i < 10; i++) {
+                prt_vec3 v = random_direction(&seed);
+                assert_near(prt_ch_at(bands, ab, v), (double)prt_ch_at(bands, a, v) * (double)prt_ch_at(bands, b, v),
+                            40 * bands * bands * EPS * norm_of(n, a) * norm_of(n, b));
+            }
+            assert_int_equal(prt_ch_product(bands, a, b, b), PRT_OK);                   /* may alias */
+            assert_memory_equal(b, ab, (size_t)n * sizeof(prt_real));
+        }
+    }
+}
+
+static void bad_rotations_and_factors_write_nothing(void **state) {
     prt_real identity[9] = { 1, 0, 0, 0, 1, 0, 0, 0, 1 }, skew[9] = { 1, 0.5, 0, 0, 1, 0, 0, 0, 1 };
     prt_real f[4] = { 1, 2, 3, 4 }, out[4] = { 7, 7, 7, 7 };
     static const prt_real untouched[4] = { 7, 7, 7, 7 };
@@ -548,6 +578,11 @@ static void bad_rotations_write_nothing(void **state) {
     assert_int_equal(prt_ch_rotate(2, skew, f, out), PRT_ERR_ROTATION);
     skew[1] = (prt_real)NAN;
     assert_int_equal(prt_ch_rotate(2, skew, f, out), PRT_ERR_ROTATION);
+    assert_int_equal(prt_ch_product(0, f, f, out), PRT_ERR_BANDS);
+    assert_int_equal(prt_ch_product(PRT_MAX_BANDS + 1, f, f, out), PRT_ERR_BANDS);
+    assert_int_equal(prt_ch_product(2, NULL, f, out), PRT_ERR_NULL);
+    assert_int_equal(prt_ch_product(2, f, NULL, out), PRT_ERR_NULL);
+    assert_int_equal(prt_ch_product(2, f, f, NULL), PRT_ERR_NULL);
     assert_memory_equal(out, untouched, sizeof out);
 }
 
@@ -585,7 +620,7 @@ int main(void) {
         cmocka_unit_test(conversions_may_alias), cmocka_unit_test(gram_matrix_by_quadrature),
         cmocka_unit_test(moments_give_the_projection), cmocka_unit_test(dot_is_the_integral),
         cmocka_unit_test(rotation_moves_the_features),
-        cmocka_unit_test(bad_rotations_write_nothing),
+        cmocka_unit_test(product_is_the_product), cmocka_unit_test(bad_rotations_and_factors_write_nothing),
         cmocka_unit_test(bad_arguments_write_nothing)
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
