@@ -960,7 +960,7 @@ PRT__INLINE double prt__unscaled(double mantissa, int exponent) {
     return exponent < 0 ? 0 : mantissa * PRT__SCALE * PRT__SCALE;
 }
 
-PRT__STATIC prt_real prt__recurrence_scaled(prt__step_of *near_step, prt__step_of *far_step, int bands, prt_vec3 d,
+PRT__INLINE prt_real prt__recurrence_scaled(prt__step_of *near_step, prt__step_of *far_step, int bands, prt_vec3 d,
                                             const prt_real *f, prt_real *PRT__RESTRICT y, size_t stride) {
     prt__scaled c = { 1, 0, 0 };
     double sum = 0, sector = 0;
