@@ -76,9 +76,6 @@ EACH (exp_linear,   "exp",      "prt_sh_exp_linear",    LOW, 64,    prt_sh_exp_l
 EACH (log,          "log",      "prt_sh_log, 12 steps", LOW, 64,    prt_sh_log(n, 12, (prt_real)0.02, F, OUT), 0, n * n, n * n)
 EACH (dering,       "dering",   "prt_sh_dering",        LOW, 16,    prt_sh_dering(n, F, OUT, NULL), 0, n * n, n * n)
 
-/* >>product */
-EACH (product,      "product",  "prt_sh_product",       LOW, 16,    prt_sh_product(n, F, G, OUT), 0, 2 * n * n, n * n)
-
 /* >>ch: the same recurrence with other factors */
 EACH (ch_eval,      "ch_eval",  "prt_ch_eval",          ALL, ITEMS, prt_ch_eval(n, DIR(k), OUT), EVAL_FLOPS, 3, n * n)
 BATCH(ch_eval_n,    "ch_eval_n", "prt_ch_eval_n",       LOW, ITEMS, prt_ch_eval_n(n, items, DIRS, OUT), EVAL_FLOPS, 3, n * n)
