@@ -4388,6 +4388,7 @@ PRTDEF prt_result prt_ch_rotate(int bands, const prt_real rotation[9], const prt
     prt_result r;
     if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
     if (!rotation || !f || !out) return PRT_ERR_NULL;
+    sh[0] = 0;                                                 /* gcc does not see that the conversion writes all of it */
     prt_sh_from_ch(bands, f, sh);
     r = prt_sh_rotate(bands, rotation, sh, turned);
     return r == PRT_OK ? prt_ch_from_sh(bands, turned, out) : r;
@@ -4398,6 +4399,7 @@ PRTDEF prt_result prt_ch_product(int bands, const prt_real *f, const prt_real *g
     prt_result r;
     if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
     if (!f || !g || !out) return PRT_ERR_NULL;
+    a[0] = b[0] = 0;                                           /* as in prt_ch_rotate */
     prt_sh_from_ch(bands, f, a);
     prt_sh_from_ch(bands, g, b);
     r = prt_sh_product(bands, a, b, product);
