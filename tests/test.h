@@ -45,7 +45,7 @@ static inline int test_at_most(double value, double bound) {
 
 /* Fails unless value <= bound; NaN fails. */
 #define assert_at_most(value, bound) do { \
-        double value_ = (double)(value), bound_ = ERROR_FACTOR * (double)(bound); \
+        double value_ = (double)(value), bound_ = (double)(bound) * ((bound) > 0 ? ERROR_FACTOR : 1); \
         if (!test_at_most(value_, bound_)) fail_msg("%s = %.6g exceeds %.6g", #value, value_, bound_); \
     } while (0)
 
