@@ -111,7 +111,7 @@ static int pair_cost(const product *p, pair pr) {
 
 static int best_pair(const product *p, pair *best) {
     double best_rate = 0;
-    pair pr;
+    pair pr = { 0 };
     for (pr.p = 0; pr.p < p->element_count; pr.p++)
         for (pr.q = 0; pr.q < p->element_count; pr.q++) {
             int how;
@@ -216,7 +216,7 @@ static kernel *describe(int bands, int square) {
     product *p = (product *)calloc(1, sizeof *p);
     kernel *k;
     int f, g, out, l, m, i;
-    pair pr;
+    pair pr = { 0 };
     if (!p) { fprintf(stderr, "prt_codegen: out of memory\n"); exit(1); }
     snprintf(name, sizeof name, square ? "sh_square_%d" : "sh_product_%d", bands);
     snprintf(summary, sizeof summary, "%s, %d band%s", square ? "square" : "product", bands, bands == 1 ? "" : "s");
