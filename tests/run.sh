@@ -5,7 +5,7 @@
 set -u
 build=$1; shift
 export CMOCKA_MESSAGE_OUTPUT=TAP
-ctest --test-dir "$build" -V "$@" 2>&1 | awk '
+ctest --test-dir "$build" -V --timeout 600 "$@" 2>&1 | awk '
     function note(id, line) { text[id] = text[id] line "\n" }
     match($0, /^[0-9]+: /) {
         id = substr($0, 1, RLENGTH - 2) + 0; line = substr($0, RLENGTH + 1)
