@@ -2,7 +2,8 @@
 
    WHAT IT IS
      The mathematics that a program needs while it lights a scene from precomputed radiance transfer (PRT):
-     spherical harmonics (SH), projection of lights and environment maps, windows, shading from transfer.
+     spherical harmonics (SH), projection of lights and environment maps, windows, rotation, products and masks,
+     cpherical harmonics (CH), shading from transfer.
      Plain C99, also C++11; no dependency but the C standard library; no allocation, no I/O, no threads, no mutable
      globals: every buffer is yours.
    WHAT IT IS NOT
@@ -50,7 +51,7 @@
      >>project    samples, analytic lights, environment maps, convolution
      >>convert    coefficients and axes of other programs: DirectXMath, Unity, Unreal, three.js, Filament, splats
      >>window     Hann, Lanczos and positive windows, least values, deringing
-     >>rotate     rotation matrices of SH, applied to one or many vectors
+     >>rotate     rotation: matrices, one shot, one or many vectors, about z, zonal functions
      >>product    products, squares, masks, logarithm and exponential; triple product coefficients
      >>ch         cpherical harmonics: evaluation, norms, conversion, moments, dot product, rotation, product
      >>shade      exit radiance from transfer
