@@ -139,7 +139,7 @@ static int bake_all(demo *d, why *w) {
 /* The second drawing is timed: the first may still compile its shader. */
 static int draw_column(demo *d, relighter *r, int column, why *w) {
     int samples = d->size * SAMPLES_A_PIXEL, e;
-    if (relighter_set_transfer(r, bands_of(column), d->scene.point_count, d->transfer[column], w)) return -1;
+    if (relighter_set_transfer(r, bands_of(column), &d->scene, d->transfer[column], w)) return -1;
     for (e = 0; e < ENVIRONMENTS; e++) {
         prt_real light[3 * COEFFICIENTS];
         cell *c = &d->cells[e][column];

@@ -309,10 +309,10 @@ static int bake_and_draw(const options *o, const mesh *m, const image *environme
     if (!transfer || !done) {
         why_set(w, "out of memory: %.0f MB of transfer; fewer --bands", (double)numbers * sizeof *transfer * 1e-6);
     } else if (osmesa_context_create(&context, w) == 0) {
-        if (relighter_fits(o->bands, m->point_count, w) == 0 && relighter_create(&r, m, samples, samples, w) == 0) {
+        if (relighter_fits(o->bands, m, w) == 0 && relighter_create(&r, m, samples, samples, w) == 0) {
             status = bake(o, m, transfer, done, w);
             if (status == 0)
-                status = relighter_set_transfer(&r, o->bands, m->point_count, transfer, w) ||
+                status = relighter_set_transfer(&r, o->bands, m, transfer, w) ||
                          draw_all(o, &r, environments, w) ? -1 : 0;
             relighter_destroy(&r);
         }

@@ -1,9 +1,9 @@
 #define _POSIX_C_SOURCE 200809L
 #include "bake_job.h"
 
-#include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
+#include <threads.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -15,8 +15,8 @@ enum { CHUNK = 32, MOST_THREADS = 256 };
 typedef struct shared_job {
     bake_job        *job;
     const unsigned char *before;       /* marks at the start: what need not be baked */
-    pthread_mutex_t lock;
-    pthread_cond_t  changed;
+    mtx_t           lock;
+    cnd_t           changed;
     int             next, finished, running;
     prt_result      result;            /* the first that is not PRT_OK */
 } shared_job;
@@ -33,18 +33,18 @@ static int point_finished(void *user, int done, int total) {
     shared_job *s = self->shared;
     int stop;
     (void)total;
-    pthread_mutex_lock(&s->lock);
+    mtx_lock(&s->lock);
     s->job->done[self->first + done - 1] = 1;
     s->finished++;
     stop = s->result != PRT_OK || (s->job->stop && *s->job->stop);
-    pthread_mutex_unlock(&s->lock);
+    mtx_unlock(&s->lock);
     return stop;
 }
 
 /* The next range of points that nobody has baked or taken; 0 where the work is over. */
 static int take_chunk(shared_job *s, int *first) {
     int count = 0, at;
-    pthread_mutex_lock(&s->lock);
+    mtx_lock(&s->lock);
     if (s->job->stop && *s->job->stop && s->result == PRT_OK) s->result = PRT_ERR_CANCELLED;
     if (s->result == PRT_OK) {
         at = s->next;
@@ -53,11 +53,11 @@ static int take_chunk(shared_job *s, int *first) {
         while (at < s->job->point_count && !s->before[at] && count < CHUNK) { at++; count++; }
         s->next = at;
     }
-    pthread_mutex_unlock(&s->lock);
+    mtx_unlock(&s->lock);
     return count;
 }
 
-static void *work(void *user) {
+static int work(void *user) {
     worker self;
     bake_job *job;
     prt_bake_desc desc;
@@ -70,49 +70,49 @@ static void *work(void *user) {
     while ((count = take_chunk(self.shared, &self.first)) > 0) {
         prt_result result = prt_bake_transfer(&desc, job->point_count, job->points, self.first, count, job->transfer);
         if (result == PRT_OK) continue;
-        pthread_mutex_lock(&self.shared->lock);
+        mtx_lock(&self.shared->lock);
         if (self.shared->result == PRT_OK) self.shared->result = result;
-        pthread_mutex_unlock(&self.shared->lock);
+        mtx_unlock(&self.shared->lock);
     }
-    pthread_mutex_lock(&self.shared->lock);
+    mtx_lock(&self.shared->lock);
     self.shared->running--;
-    pthread_cond_signal(&self.shared->changed);
-    pthread_mutex_unlock(&self.shared->lock);
-    return NULL;
+    cnd_signal(&self.shared->changed);
+    mtx_unlock(&self.shared->lock);
+    return 0;
 }
 
 /* Waits for the threads, shows progress, makes checkpoints. Holds the lock but while it sleeps or saves. */
 static void watch(shared_job *s, progress *p, unsigned char *snapshot) {
     bake_job *job = s->job;
     double saved = seconds_now();
-    pthread_mutex_lock(&s->lock);
+    mtx_lock(&s->lock);
     while (s->running > 0) {
         struct timespec until;
-        clock_gettime(CLOCK_REALTIME, &until);
+        timespec_get(&until, TIME_UTC);
         until.tv_nsec += 100000000;
         if (until.tv_nsec >= 1000000000) { until.tv_nsec -= 1000000000; until.tv_sec++; }
-        pthread_cond_timedwait(&s->changed, &s->lock, &until);
+        cnd_timedwait(&s->changed, &s->lock, &until);
         if (job->what) progress_show(p, s->finished);
         if (!job->checkpoint || !(job->checkpoint_every > 0) || seconds_now() - saved < job->checkpoint_every) continue;
         memcpy(snapshot, job->done, (size_t)job->point_count);
-        pthread_mutex_unlock(&s->lock);
+        mtx_unlock(&s->lock);
         job->checkpoint(job->user, snapshot, job->transfer);         /* nobody writes a finished row again */
         saved = seconds_now();
-        pthread_mutex_lock(&s->lock);
+        mtx_lock(&s->lock);
     }
-    pthread_mutex_unlock(&s->lock);
+    mtx_unlock(&s->lock);
 }
 
 static prt_result run_threads(shared_job *s, progress *p, unsigned char *snapshot) {
-    pthread_t threads[MOST_THREADS];
+    thrd_t threads[MOST_THREADS];
     int wanted = s->job->threads < 1 ? 1 : s->job->threads > MOST_THREADS ? MOST_THREADS : s->job->threads, started = 0;
-    pthread_mutex_lock(&s->lock);
-    while (started < wanted && pthread_create(&threads[started], NULL, work, s) == 0) started++;
+    mtx_lock(&s->lock);
+    while (started < wanted && thrd_create(&threads[started], work, s) == thrd_success) started++;
     s->running = started;
-    pthread_mutex_unlock(&s->lock);
+    mtx_unlock(&s->lock);
     if (started == 0) return PRT_ERR_MEMORY;
     watch(s, p, snapshot);
-    while (started > 0) pthread_join(threads[--started], NULL);
+    while (started > 0) thrd_join(threads[--started], NULL);
     return s->result;
 }
 
@@ -129,14 +129,16 @@ prt_result bake_job_run(bake_job *job) {
     s.job = job;
     s.before = before;
     for (i = 0; i < job->point_count; i++) s.finished += job->done[i] != 0;
-    pthread_mutex_init(&s.lock, NULL);
-    pthread_cond_init(&s.changed, NULL);
+    if (mtx_init(&s.lock, mtx_plain) != thrd_success || cnd_init(&s.changed) != thrd_success) {
+        free(before);
+        return PRT_ERR_MEMORY;
+    }
     progress_start(&p, job->what, job->point_count, s.finished, "rays", job->desc.samples);
     result = run_threads(&s, &p, before + count);
     if (job->what) progress_end(&p, s.finished);
     if (result == PRT_ERR_CANCELLED && s.finished == job->point_count) result = PRT_OK;
-    pthread_cond_destroy(&s.changed);
-    pthread_mutex_destroy(&s.lock);
+    cnd_destroy(&s.changed);
+    mtx_destroy(&s.lock);
     free(before);
     return result;
 }

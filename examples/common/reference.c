@@ -256,7 +256,7 @@ static int shade_row(reference *r, int y, prt_ray *eye_rays, prt_hit *hits, samp
     return 0;
 }
 
-static void *shade_rows(void *user) {
+static int shade_rows(void *user) {
     reference *r = (reference *)user;
     prt_ray *rays = (prt_ray *)malloc((size_t)r->width * sizeof *rays);
     prt_hit *hits = (prt_hit *)malloc((size_t)r->width * sizeof *hits);
@@ -264,17 +264,17 @@ static void *shade_rows(void *user) {
     int failed = !rays || !hits || !s;
     for (;;) {
         int row;
-        pthread_mutex_lock(&r->lock);
+        mtx_lock(&r->lock);
         r->failed |= failed;
         row = r->failed || *r->stop || r->next_row >= r->height ? -1 : r->next_row++;
-        pthread_mutex_unlock(&r->lock);
+        mtx_unlock(&r->lock);
         if (row < 0) break;
         failed = shade_row(r, row, rays, hits, s);
     }
     free(rays);
     free(hits);
     free(s);
-    return NULL;
+    return 0;
 }
 
 static int make_halves(reference *r, why *w) {
@@ -300,26 +300,26 @@ void reference_free(reference *r) {
 }
 
 int reference_trace(reference *r, why *w) {
-    pthread_t thread[256];
+    thrd_t thread[256];
     progress p;
     int started = 0, row = 0;
     if (make_halves(r, w)) return -1;
-    pthread_mutex_init(&r->lock, NULL);
+    if (mtx_init(&r->lock, mtx_plain) != thrd_success) return why_set(w, "the reference: no threads are to be had");
     progress_start(&p, "reference", r->height, 0, "rows", 1);
-    while (started < r->threads && started < 256 && pthread_create(&thread[started], NULL, shade_rows, r) == 0)
+    while (started < r->threads && started < 256 && thrd_create(&thread[started], shade_rows, r) == thrd_success)
         started++;
     while (started > 0 && row < r->height) {
         const struct timespec pause = { 0, 100000000 };
-        nanosleep(&pause, NULL);
-        pthread_mutex_lock(&r->lock);
+        thrd_sleep(&pause, NULL);
+        mtx_lock(&r->lock);
         row = r->failed || *r->stop ? r->height : r->next_row;
         progress_show(&p, r->next_row);
-        pthread_mutex_unlock(&r->lock);
+        mtx_unlock(&r->lock);
     }
     r->failed |= started == 0;
-    while (started > 0) pthread_join(thread[--started], NULL);
+    while (started > 0) thrd_join(thread[--started], NULL);
     progress_end(&p, r->next_row);
-    pthread_mutex_destroy(&r->lock);
+    mtx_destroy(&r->lock);
     return r->failed ? why_set(w, "the reference could not be traced") : 0;
 }
 

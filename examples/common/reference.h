@@ -4,8 +4,8 @@
 #ifndef EXAMPLES_REFERENCE_H
 #define EXAMPLES_REFERENCE_H
 
-#include <pthread.h>
 #include <signal.h>
+#include <threads.h>
 
 #include "camera.h"
 #include "image.h"
@@ -52,7 +52,7 @@ typedef struct reference {
     int                   width, height, threads;          /* width and height count samples */
     volatile sig_atomic_t *stop;       /* becomes nonzero: give up */
     reference_half        halves[REFERENCE_HALVES];
-    pthread_mutex_t       lock;        /* guards what follows */
+    mtx_t                 lock;        /* guards what follows */
     int                   next_row, failed;
 } reference;
 

@@ -1,5 +1,6 @@
 #include "relighter.h"
 
+#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -23,18 +24,19 @@ static const char mesh_vertex[] =
 
 static const char mesh_fragment[] =
     "layout(std430, binding = 1) readonly buffer Triangles { uint corner[]; };\n"
-    "layout(std430, binding = 2) readonly buffer Transfer { vec4 transfer[]; };\n"
+    "layout(binding = 1) uniform samplerBuffer transfer;\n"                            /* CHUNKS texels a vertex */
     "layout(std140, binding = 0) uniform Light { vec4 light[3 * CHUNKS]; };\n"
     "uniform vec3 albedo;\n"
     "in vec3 share;\n"
     "out vec4 color;\n"
     "void main() {\n"
-    "    uint t = 3u * uint(gl_PrimitiveID);\n"
-    "    uint a = CHUNKS * corner[t], b = CHUNKS * corner[t + 1u], c = CHUNKS * corner[t + 2u];\n"
+    "    int t = 3 * gl_PrimitiveID;\n"
+    "    ivec3 at = CHUNKS * ivec3(corner[t], corner[t + 1], corner[t + 2]);\n"
     "    vec3 radiance = vec3(0);\n"
-    "    for (uint i = 0u; i < CHUNKS; i++) {\n"
-    "        vec4 here = share.x * transfer[a + i] + share.y * transfer[b + i] + share.z * transfer[c + i];\n"
-    "        radiance += vec3(dot(here, light[i]), dot(here, light[CHUNKS + i]), dot(here, light[2u * CHUNKS + i]));\n"
+    "    for (int i = 0; i < CHUNKS; i++) {\n"
+    "        vec4 here = share.x * texelFetch(transfer, at.x + i) + share.y * texelFetch(transfer, at.y + i) +\n"
+    "                    share.z * texelFetch(transfer, at.z + i);\n"
+    "        radiance += vec3(dot(here, light[i]), dot(here, light[CHUNKS + i]), dot(here, light[2 * CHUNKS + i]));\n"
     "    }\n"
     "    color = vec4(albedo * radiance, 1);\n"
     "}\n";
@@ -120,8 +122,9 @@ int relighter_create(relighter *r, const mesh *m, int width, int height, why *w)
 static void drop_transfer(relighter *r) {
     const GLuint buffers[2] = { r->transfer, r->light };
     if (r->mesh_program) gl.DeleteProgram(r->mesh_program);
+    gl.DeleteTextures(1, &r->transfer_texels);
     gl.DeleteBuffers(2, buffers);
-    r->mesh_program = r->transfer = r->light = 0;
+    r->mesh_program = r->transfer_texels = r->transfer = r->light = 0;
 }
 
 void relighter_destroy(relighter *r) {
@@ -137,31 +140,41 @@ void relighter_destroy(relighter *r) {
     memset(r, 0, sizeof *r);
 }
 
-int relighter_fits(int bands, int point_count, why *w) {
-    double size = 16.0 * chunks_of(bands) * point_count;
-    GLint64 storage = 0, uniform = 0;
+/* Transfer is read through a buffer texture, whose limit is far above that of a storage block. */
+int relighter_fits(int bands, const mesh *m, why *w) {
+    double texels = (double)chunks_of(bands) * m->point_count, limit, size;
+    double block = 12.0 * (m->point_count > m->triangle_count ? m->point_count : m->triangle_count);
+    GLint64 most_texels = 0, storage = 0, uniform = 0;
+    gl.GetInteger64v(GL_MAX_TEXTURE_BUFFER_SIZE, &most_texels);
     gl.GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &storage);
     gl.GetInteger64v(GL_MAX_UNIFORM_BLOCK_SIZE, &uniform);
-    if (size <= (double)storage && 48 * chunks_of(bands) <= uniform) return 0;
+    limit = most_texels < INT_MAX ? (double)most_texels : INT_MAX;
+    if (block > (double)storage)
+        return why_set(w, "%.0f MB of triangles are more than this OpenGL's %.0f MB: a coarser mesh", block * 1e-6,
+                       (double)storage * 1e-6);
+    size = 16e-6 * texels;
+    if (texels <= limit && 48 * chunks_of(bands) <= uniform) return 0;
     return why_set(w, "%d bands for %d points make %.0f MB of transfer, more than this OpenGL's %.0f MB: fewer --bands",
-                   bands, point_count, size * 1e-6, (double)storage * 1e-6);
+                   bands, m->point_count, size, 16e-6 * limit);
 }
 
-int relighter_set_transfer(relighter *r, int bands, int point_count, const prt_real *transfer, why *w) {
-    size_t count = (size_t)PRT_SH_COUNT(bands), padded = 4 * (size_t)chunks_of(bands), i, k;
+int relighter_set_transfer(relighter *r, int bands, const mesh *m, const prt_real *transfer, why *w) {
+    size_t point_count = (size_t)m->point_count, count = (size_t)PRT_SH_COUNT(bands), padded = 4 * (size_t)chunks_of(bands), i, k;
     float *fours;
     char defines[40];
-    if (relighter_fits(bands, point_count, w)) return -1;
-    fours = (float *)calloc((size_t)point_count * padded, sizeof *fours);
+    if (relighter_fits(bands, m, w)) return -1;
+    fours = (float *)calloc(point_count * padded, sizeof *fours);
     if (!fours) return why_set(w, "out of memory");
-    for (k = 0; k < (size_t)point_count; k++)
+    for (k = 0; k < point_count; k++)
         for (i = 0; i < count; i++) fours[k * padded + i] = (float)transfer[k * count + i];
     drop_transfer(r);
     r->bands = bands;
-    r->transfer = make_buffer(fours, (size_t)point_count * padded * sizeof *fours);
+    r->transfer = make_buffer(fours, point_count * padded * sizeof *fours);
+    gl.CreateTextures(GL_TEXTURE_BUFFER, 1, &r->transfer_texels);
+    gl.TextureBuffer(r->transfer_texels, GL_RGBA32F, r->transfer);
     r->light = make_buffer(NULL, 3 * padded * sizeof *fours);
     free(fours);
-    snprintf(defines, sizeof defines, "#define CHUNKS %du\n", chunks_of(bands));
+    snprintf(defines, sizeof defines, "#define CHUNKS %d\n", chunks_of(bands));
     r->mesh_program = gl_program("mesh", defines, mesh_vertex, mesh_fragment, w);
     return r->mesh_program ? gl_check("uploading transfer", w) : -1;
 }
@@ -216,7 +229,7 @@ static void draw_mesh(const relighter *r, const camera *c, const prt_real *light
     set_vector(r->mesh_program, "albedo", albedo, albedo, albedo);
     gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, r->points);
     gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, r->triangles);
-    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, r->transfer);
+    gl.BindTextureUnit(1, r->transfer_texels);
     gl.BindBufferBase(GL_UNIFORM_BUFFER, 0, r->light);
     gl.Enable(GL_DEPTH_TEST);
     gl.DepthFunc(GL_LESS);

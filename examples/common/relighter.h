@@ -14,7 +14,7 @@ typedef struct relighter {
     int      width, height;
     int      triangle_count, bands;
     GLuint   framebuffer, color, depth, no_attributes;
-    GLuint   points, triangles, transfer, light, environment;
+    GLuint   points, triangles, transfer, transfer_texels, light, environment;
     GLuint   mesh_program, background_program;
 } relighter;
 
@@ -22,11 +22,11 @@ typedef struct relighter {
 int  relighter_create(relighter *r, const mesh *m, int width, int height, why *w);
 void relighter_destroy(relighter *r);
 
-/* Whether so many points and bands fit into this OpenGL's buffers: to be asked before a long bake. */
-int  relighter_fits(int bands, int point_count, why *w);
+/* Whether the mesh with so many bands fits into this OpenGL's buffers: to be asked before a long bake. */
+int  relighter_fits(int bands, const mesh *m, why *w);
 
-/* transfer[point_count][bands^2] of the mesh. */
-int  relighter_set_transfer(relighter *r, int bands, int point_count, const prt_real *transfer, why *w);
+/* transfer[point_count][bands^2] of the mesh that the relighter was created with. */
+int  relighter_set_transfer(relighter *r, int bands, const mesh *m, const prt_real *transfer, why *w);
 int  relighter_set_environment(relighter *r, const image *environment, why *w);
 
 /* Draws under light[3][bands^2] with a grey albedo. out (created by the caller with r's width and height) receives the
