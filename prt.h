@@ -80,8 +80,9 @@
      The same build gives the same bits for the same item, whatever the count, range, order or thread it was asked in.
      Other compilers, flags or vector widths may contract a*b+c differently and so differ in the last bits; with
      -ffp-contract=off and PRT_NO_SIMD results agree wherever sin, cos, sqrt and friends of the C library agree.
-     -ffast-math: errors stay within twice those promised (the tests run so), but values are no longer checked for NaN
-     and infinity, subnormal numbers may count as 0, and what is bit-equal without it may differ in the last bits.
+     -ffast-math: errors stay within twice those promised (the tests run so); building functions still refuse NaN and
+     infinity in their arguments (not among the texels of a map), nothing else holds for NaN, subnormal numbers may
+     count as 0, and what is bit-equal without it may differ in the last bits.
 
    LIMITS
      Coefficients and directions are prt_real; bands are bounded by PRT_MAX_BANDS, evaluation was tested to 1024.
@@ -729,8 +730,16 @@ PRT__INLINE prt_real prt__sqrt(prt_real v) { return sqrtf(v); }
 PRT__INLINE prt_real prt__sign(prt_real v) { return copysignf(1.0f, v); }
 #endif
 
-/* Finite, in a form that needs no <math.h> macro: false for NaN and for both infinities. */
-PRT__INLINE int prt__finite(prt_real v) { return v - v == 0; }
+/* Finite, from the bits of the exponent: -ffast-math lets a compiler take any comparison with NaN as it likes. */
+PRT__INLINE int prt__finite(prt_real v) {
+#ifdef PRT_DOUBLE
+    uint64_t bits, exponent = UINT64_C(0x7ff) << 52;
+#else
+    uint32_t bits, exponent = UINT32_C(0xff) << 23;
+#endif
+    memcpy(&bits, &v, sizeof bits);
+    return (bits & exponent) != exponent;
+}
 PRT__INLINE int prt__finite3(prt_vec3 v) { return prt__finite(v.x) && prt__finite(v.y) && prt__finite(v.z); }
 PRT__INLINE prt_real prt__dot3(prt_vec3 a, prt_vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
@@ -854,8 +863,12 @@ static prt__sh_kernel_at *const prt__sh_kernels_at[PRT__SH_KERNELS] = {
 };
 
 /* sqrt(k) and 1/sqrt(k) for integers k >= 1: a table to 64 bands, the instruction beyond */
-PRT__INLINE double prt__root(int k) { return k < PRT__ROOTS ? prt__roots()[k] : sqrt((double)k); }
-PRT__INLINE double prt__inverse_root(int k) { return k < PRT__ROOTS ? prt__inverse_roots()[k] : 1 / sqrt((double)k); }
+PRT__INLINE double prt__root(int k) {
+    return (unsigned)k < PRT__ROOTS ? prt__roots()[k] : sqrt((double)k);
+}
+PRT__INLINE double prt__inverse_root(int k) {
+    return (unsigned)k < PRT__ROOTS ? prt__inverse_roots()[k] : 1 / sqrt((double)k);
+}
 
 /* The recurrence [Sloan 2013], normalised:  p(l,m) = a z p(l-1,m) - c p(l-2,m),
      a = sqrt((4l^2-1)/(l^2-m^2)),   c = a sqrt(((l-1)^2-m^2)/(4(l-1)^2-1)),   p(m,m) from prt__sh_sector.
@@ -1286,7 +1299,7 @@ PRTDEF prt_real prt_sh_dot(int bands, const prt_real *f, const prt_real *g) {
 /* The direction at length 1; 0 if it is not finite or its length differs from 1 by more than 1e-3. */
 PRT__STATIC int prt__unit(prt_vec3 v, prt_vec3 *unit) {
     double x = (double)v.x, y = (double)v.y, z = (double)v.z, length = sqrt(x * x + y * y + z * z);
-    if (!(fabs(length - 1) <= 1e-3)) return 0;
+    if (!prt__finite3(v) || !(fabs(length - 1) <= 1e-3)) return 0;
     unit->x = (prt_real)(x / length);
     unit->y = (prt_real)(y / length);
     unit->z = (prt_real)(z / length);
@@ -1358,7 +1371,8 @@ PRTDEF prt_result prt_sh_cone(int bands, prt_vec3 axis, prt_real half_angle, prt
     int wide;
     if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
     if (!f) return PRT_ERR_NULL;
-    if (!prt__unit(axis, &axis) || !(half_angle >= 0 && half_angle <= PRT__R(PRT__PI))) return PRT_ERR_VALUE;
+    if (!prt__unit(axis, &axis) || !prt__finite(half_angle)) return PRT_ERR_VALUE;
+    if (!(half_angle >= 0 && half_angle <= PRT__R(PRT__PI))) return PRT_ERR_VALUE;
     angle = (double)half_angle;
     wide = angle > PRT__PI / 2;
     if (wide) angle = angle < PRT__PI ? PRT__PI - angle : 0;          /* float rounds pi up */
@@ -2199,7 +2213,8 @@ PRT__STATIC int prt__basin_try(int bands, const prt_real *f, prt__basin *b, prt_
     return 1;
 }
 
-/* A Newton step from differences over h */
+/* A Newton step from differences over h, along the principal curvatures: in a valley, as zonal functions have, the one
+   that is flat says nothing and must not spoil the other. */
 PRT__STATIC void prt__basin_newton(int bands, const prt_real *f, prt__basin *b, prt_real h) {
     prt_vec3 d = b->dir;
     double v = (double)b->value;
@@ -2207,11 +2222,14 @@ PRT__STATIC void prt__basin_newton(int bands, const prt_real *f, prt__basin *b, 
     double py = (double)prt_sh_at(bands, f, prt__beside(d, 0, h)), my = (double)prt_sh_at(bands, f, prt__beside(d, 0, -h));
     double pp = (double)prt_sh_at(bands, f, prt__beside(d, h, h));
     double gx = (px - mx) / 2, gy = (py - my) / 2, xx = px + mx - 2 * v, yy = py + my - 2 * v;
-    double xy = pp - v - gx - gy - (xx + yy) / 2, det = xx * yy - xy * xy, x, y;
-    if (!(det > 0)) return;
-    x = (xy * gy - yy * gx) / det;
-    y = (xy * gx - xx * gy) / det;
-    if (x * x + y * y < 16) prt__basin_try(bands, f, b, d, (prt_real)x * h, (prt_real)y * h);
+    double xy = pp - v - gx - gy - (xx + yy) / 2, half = (xx - yy) / 2, spread = sqrt(half * half + xy * xy);
+    double steep = (xx + yy) / 2 + spread, flat = (xx + yy) / 2 - spread, turn = atan2(xy, half) / 2;
+    double c = cos(turn), s = sin(turn), along, across;
+    if (!(steep > 0)) return;
+    along = -(c * gx + s * gy) / steep;
+    across = flat > 1e-3 * steep ? (s * gx - c * gy) / flat : 0;
+    if (along * along + across * across < 16)
+        prt__basin_try(bands, f, b, d, (prt_real)(c * along - s * across) * h, (prt_real)(s * along + c * across) * h);
 }
 
 /* Downhill: a pattern search until the steps are short beside the highest band's waves, then Newton. */
@@ -2335,6 +2353,9 @@ PRT__STATIC int prt__rotation_ok(const prt_real *r) {
     prt_real xx = r[0] * r[0] + r[1] * r[1] + r[2] * r[2] - 1, xy = r[0] * r[3] + r[1] * r[4] + r[2] * r[5];
     prt_real yy = r[3] * r[3] + r[4] * r[4] + r[5] * r[5] - 1, yz = r[3] * r[6] + r[4] * r[7] + r[5] * r[8];
     prt_real zz = r[6] * r[6] + r[7] * r[7] + r[8] * r[8] - 1, zx = r[6] * r[0] + r[7] * r[1] + r[8] * r[2];
+    int i;
+    for (i = 0; i < 9; i++)
+        if (!prt__finite(r[i])) return 0;
     return prt__abs(xx) <= tolerance && prt__abs(yy) <= tolerance && prt__abs(zz) <= tolerance
         && prt__abs(xy) <= tolerance && prt__abs(yz) <= tolerance && prt__abs(zx) <= tolerance;
 }

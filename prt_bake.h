@@ -263,6 +263,7 @@ PRTDEF prt_result prt_bake_error(int bands, int point_count, const prt_real *a, 
 #if defined(PRT_BAKE_IMPLEMENTATION) && !defined(PRT_BAKE_IMPLEMENTATION_INCLUDED)
 #define PRT_BAKE_IMPLEMENTATION_INCLUDED
 
+#include "prt.h"                              /* once more: its private part, had it been included without any */
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
@@ -443,10 +444,14 @@ PRT__STATIC prt__frame prt__frame_about(prt_vec3 normal) {
 /* Square root, of negative values 0. By intrinsics where the loop below is slow: a compiler may not widen sqrt, which
    reports errors through errno. */
 PRT__INLINE prt__vec prt__vec_root(prt__vec v) {
-#if PRT__SIMD && defined(__SSE2__)
-#  if defined(__AVX512F__)
-#    define PRT__MM(name) _mm512_##name
-#  elif defined(__AVX__)
+#if PRT__SIMD && defined(__AVX512F__)                  /* maskz: g++ 12 takes the unmasked ones for uninitialised */
+#  ifdef PRT_DOUBLE
+    return _mm512_maskz_sqrt_pd(0xff, _mm512_maskz_max_pd(0xff, v, prt__vec_set(0)));
+#  else
+    return _mm512_maskz_sqrt_ps(0xffff, _mm512_maskz_max_ps(0xffff, v, prt__vec_set(0)));
+#  endif
+#elif PRT__SIMD && defined(__SSE2__)
+#  ifdef __AVX__
 #    define PRT__MM(name) _mm256_##name
 #  else
 #    define PRT__MM(name) _mm_##name
@@ -493,7 +498,7 @@ PRT__STATIC void prt__cosine_block(const prt__lattice *s, const prt__steps *step
 
 PRT__STATIC int prt__unit_within(prt_vec3 v) {                 /* 1e-3 of length 1; false for NaN */
     prt_real square = prt__dot3(v, v);
-    return square >= PRT__R(0.999 * 0.999) && square <= PRT__R(1.001 * 1.001);
+    return prt__finite(square) && square >= PRT__R(0.999 * 0.999) && square <= PRT__R(1.001 * 1.001);
 }
 
 PRTDEF prt_result prt_sample_directions(int total, uint64_t seed, uint64_t index, prt_vec3 normal, int first, int count,

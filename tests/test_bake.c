@@ -536,7 +536,6 @@ static void only_the_range_is_read_and_written(void **state) {
     ball b;
     int k;
     (void)state;
-    skip_if_fast_math();
     begin(&desc, &tracer, &b);
     desc.samples = 100;
     scatter(MANY, points);
@@ -614,7 +613,6 @@ static void every_error_in_its_order(void **state) {
     ball b;
     int k;
     (void)state;
-    skip_if_fast_math();
     begin(&ok, &tracer, &b);
     ok.samples = 10;
     desc = ok;

@@ -107,7 +107,6 @@ static void given_normals_are_kept_bad_ones_replaced(void **state) {
     double d = 1 / sqrt(3);
     int k;
     (void)state;
-    skip_if_fast_math();
     for (k = 0; k < 8; k++) normals[k] = vec3(0, 3, 4);
     normals[1] = vec3(0, 0, 0);
     normals[2] = vec3(NAN, 0, 1);
@@ -177,7 +176,6 @@ static void bad_meshes(void **state) {
     prt_point points[8], before[8];
     prt_mesh_report report, untouched;
     (void)state;
-    skip_if_fast_math();
     memset(points, 0x55, sizeof points); memcpy(before, points, sizeof points);
     memset(&report, 0x55, sizeof report); memcpy(&untouched, &report, sizeof report);
     memcpy(triangles, cube, sizeof triangles);
@@ -215,7 +213,6 @@ static void extreme_coordinates(void **state) {
     prt_mesh_report report;
     prt_point points[8];
     (void)state;
-    skip_if_fast_math();
     assert_int_equal(prt_points_from_vertices(&m, points, &report), PRT_OK);
     assert_int_equal(prt_points_check(8, points, 0, 8, NULL), PRT_OK);
     assert_int_equal(report.without, 0);
@@ -226,7 +223,6 @@ static void check_finds_the_first_bad(void **state) {
     prt_point points[8];
     int bad = 77;
     (void)state;
-    skip_if_fast_math();
     assert_int_equal(prt_points_from_vertices(&m, points, NULL), PRT_OK);
     assert_int_equal(prt_points_check(8, points, 0, 8, &bad), PRT_OK);
     assert_int_equal(bad, -1);

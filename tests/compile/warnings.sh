@@ -37,46 +37,43 @@ done
 
 # One compile job a line: GROUP|command line
 plan() {
-    local compiler language std precision linkage simd name
+    local compiler std
     for compiler in gcc clang; do
         have $compiler || continue
-        for std in c99 c11 c17 c2x c++11 c++14 c++17 c++20; do
-            [ "$quick" = quick ] && [ $std != c99 ] && [ $std != c++11 ] && continue
-            language=c; [[ $std == c++* ]] && language=c++
-            for precision in "" -DPRT_DOUBLE; do
-                for linkage in "" -DPRT_STATIC; do
-                    for simd in "" -DPRT_NO_SIMD -mavx2 -mavx512f; do
-                        for name in $names; do
-                            # The width of vectors matters to implementations only.
-                            if [ -n "$simd" ]; then
-                                [[ $name == prt || $name == bake ]] || continue
-                                case $simd in -m*) supports "$compiler" "$simd" || continue ;; esac
-                            fi
-                            # PRT_STATIC goes with PRT_IMPLEMENTATION, in every file (prt.h, CONFIG MACROS).
-                            [ -n "$linkage" ] && [[ $name == *declarations ]] && continue
-                            [ "$quick" = quick ] && [[ $name != prt_then_bake || -n $linkage || -n $simd ]] && continue
-                            echo "$compiler $std|$compiler -std=$std $warnings -I$root $precision $linkage $simd" \
-                                 "-fsyntax-only -x $language $work/$name.c"
-                        done
-                    done
-                done
+        if [ "$quick" = quick ]; then
+            for std in c99 c++11; do syntax prt_then_bake "" "" ; done
+            continue
+        fi
+        for std in c99 c2x c++11 c++20; do          # the ends of the range: every form, linkage and width
+            for form in $names; do
+                syntax $form "" ""
+                # PRT_STATIC goes with PRT_IMPLEMENTATION, in every file (prt.h, CONFIG MACROS).
+                [[ $form == *declarations ]] || syntax $form -DPRT_STATIC ""
             done
+            for simd in -DPRT_NO_SIMD -mavx2 -mavx512f; do syntax bake "" $simd; done
         done
-        [ "$quick" = quick ] && continue
-        for std in c99 c2x c++11 c++20; do   # some warnings need the optimiser
-            language=c; [[ $std == c++* ]] && language=c++
-            for precision in "" -DPRT_DOUBLE; do
-                for simd in "" -DPRT_NO_SIMD -mavx2 -mavx512f; do
-                    case $simd in -m*) supports "$compiler" "$simd" || continue ;; esac
-                    name=prt; [ -e "$root/prt_bake.h" ] && name=prt_then_bake
-                    echo "$compiler $std optimised|$compiler -std=$std $warnings -I$root $precision $simd" \
-                         "-O2 -c -o /dev/null -x $language $work/$name.c"
-                done
-            done
+        for std in c11 c17 c++14 c++17; do          # between them
+            syntax bake_declarations "" ""
+            syntax twice "" ""
+            syntax bake -DPRT_STATIC ""
         done
     done
+    [ "$quick" = quick ] && return
+    compiler=gcc                                    # some of its warnings need the optimiser; none of clang's do
+    std=c99; for simd in "" -DPRT_NO_SIMD -mavx2 -mavx512f; do optimised $simd; done
+    std=c++20; for simd in "" -mavx512f; do optimised $simd; done
 }
 supports() { "$1" "$2" -x c -fsyntax-only /dev/null 2>/dev/null; }
+language() { case $std in c++*) echo c++ ;; *) echo c ;; esac; }
+line() {   # GROUP SIMD the rest of the command
+    local group=$1 simd=$2 precision; shift 2
+    case $simd in -m*) supports $compiler $simd || return ;; esac
+    for precision in "" -DPRT_DOUBLE; do
+        echo "$group|$compiler -std=$std $warnings -I$root $precision $simd $*"
+    done
+}
+syntax() { line "$compiler $std" "$3" $2 -fsyntax-only -x "$(language)" "$work/$1.c"; }   # FORM LINKAGE SIMD
+optimised() { line "$compiler $std optimised" "${1:-}" -O2 -c -o /dev/null -x "$(language)" "$work/prt_then_bake.c"; }
 
 compile() {   # GROUP|command -> GROUP|ok or GROUP|command and its first complaint, on one line
     local group=${1%%|*} command=${1#*|} output
