@@ -55,6 +55,7 @@
      >>product    products, squares, masks, logarithm and exponential; triple product coefficients
      >>ch         cpherical harmonics: evaluation, norms, conversion, moments, dot product, rotation, product
      >>shade      exit radiance from transfer
+     >>vo         vector occluders: shadows, caustics and interreflections of point lights
      >>reference  slow evaluators by other routes, for tests
      >>generated  straight-line kernels, written by codegen/
 
@@ -110,6 +111,7 @@
      [Szego 1939]        Szego: Orthogonal Polynomials, section 7.7. AMS Colloquium Publications 23, 1939
      [Sherif 2013]       Sherif: Vector Occluders: An Empirical Approximation for Rendering Global Illumination
                          Effects in Real-Time. MSc thesis, University of Ontario Institute of Technology, 2013
+     [Oat 2007]          Oat, Sander: Ambient Aperture Lighting. I3D 2007
      [Chapter 2010]      Chapter: Textured Hierarchical Precomputed Radiance Transfer. Cal Poly 2010
 */
 #ifndef PRT_H_INCLUDED
@@ -635,6 +637,82 @@ PRTDEF prt_result prt_shade_diffuse  (int bands, const prt_real *transfer, const
 PRTDEF prt_result prt_shade_diffuse_n(int bands, int count, const prt_real *transfer, const prt_real *light,
                                       prt_rgb *out);
 
+/* ---------------------------------------------------------------------------------------------------- >>vo ---- */
+
+/* Vector occluders [Sherif 2013, chapter 7]: shadows, caustics and interreflections of point lights, from a few vectors
+   for each occluder that a point sees. An empirical model, as Phong's: plausible, fast, and not a solution of the rendering
+   equation; docs/papers.md lists what the thesis leaves open and how it is decided here. prt_bake_vo (prt_bake.h) fills
+   prt_vo_occluder.
+
+   With x the point, N its normal, l and l_P the unit directions to a light from x and from the occluder's position P, v the
+   direction from x to P, i the one from the eye to x, reflect(a, n) = a - 2 (n.a) n, r = reflect(i, N), and
+   n_S = specular_normal/|specular_normal|, a light of colour c sends
+     direct   c (diffuse max(0, N.l) + specular max(0, r.l)^shininess) times, for every occluder,
+              (1 - T) block + T focus,  T = transmissive                                              (7.2, 7.3)
+              block = s2(occlusion, l)^(N_sh form_factor)               under PRT_VO_SINE, or PRT_VO_CAP, see below
+              focus = max(s2(caustic, l), sin^2 c0)^(-N_c caustic_factor)
+              s2(d, l) = 1 if d.l <= 0, else sin^2 of the angle between d and l
+     DD       c dd o.diffuse diffuse max(0, diffuse_normal.l_P)                     diffuse from diffuse
+     DS       c ds o.specular diffuse |specular_normal| max(0, reflect(v, n_S).l_P)^gloss
+     SS       c ss o.specular specular |specular_normal| max(0, r.v) max(0, reflect(r, n_S).l_P)^gloss, where N.v > 0
+   out = max(0, emissive + the sum over lights and occluders). No 1/pi and no falloff with distance: `color` is what arrives.
+   A zero vector, a factor F <= 0 and an exponent <= 0 give a power of 1; a light on x or on P has no direction from there,
+   so dot products with it are 0.
+   Bounded: every finite input gives a finite result; what overflows is clamped to the largest finite number. Continuous in
+   the place of every light (but where it meets x or P, where a direction has no limit), in the eye, and in every vector of
+   an occluder that is not zero, except that SS begins abruptly at N.v = 0, where no baked occluder stands.
+   occlusion, caustic and specular_normal may have any length but zero; normals of points should be unit. */
+typedef struct prt_vo_occluder {       /* the thesis' eight vectors, with the two form factors beside them (7.2) */
+    prt_vec3 position;                 /* mean visible position */
+    prt_vec3 occlusion;                /* unit mean direction, zero: none */
+    prt_vec3 caustic;                  /* unit mean direction after refraction, zero: none */
+    prt_rgb  transmissive;             /* 0 opaque ... 1 clear */
+    prt_vec3 diffuse_normal;           /* length: form factor x ambient occlusion at the hits */
+    prt_vec3 specular_normal;          /* length: form factor of the hits whose mirror direction is open */
+    prt_rgb  diffuse, specular;
+    prt_real form_factor, caustic_factor;
+} prt_vo_occluder;
+typedef struct prt_vo_point { prt_vec3 position, normal; prt_rgb diffuse, specular, emissive; prt_real shininess; } prt_vo_point;
+typedef struct prt_point_light { prt_vec3 position; prt_rgb color; } prt_point_light;
+
+enum { PRT_VO_NO_SHADOW = 1, PRT_VO_NO_CAUSTIC = 2, PRT_VO_NO_DD = 4, PRT_VO_NO_DS = 8, PRT_VO_NO_SS = 16 };
+
+typedef enum prt_vo_law {
+    PRT_VO_SINE = 0,                   /* block = s2^(N_sh F) [Sherif 2013, equation 7.2]: an occluder hides a light on its
+                                          axis fully, however small it is, and one at 90 degrees never */
+    PRT_VO_CAP                         /* block = 1 - the share of the light's disc, of radius light_angle, behind a round
+                                          cap about `occlusion` that has the occluder's form factor: sin^2 a =
+                                          F/max(N.occlusion, F). The share by chords and a cubic step, as [Oat 2007] */
+} prt_vo_law;
+
+typedef struct prt_vo_params {         /* zero-initialise; 0 means the default in brackets */
+    prt_real shadow_strength;          /* N_sh [1.5]; PRT_VO_CAP does not read it */
+    prt_real caustic_strength;         /* N_c [0.5] */
+    prt_real caustic_angle;            /* c0, radians [1 degree] */
+    prt_real gloss;                    /* exponent of the DS and SS terms [8] */
+    prt_real dd, ds, ss;               /* weights of the three interreflections [1]; negative dd drains colour */
+    unsigned off;                      /* PRT_VO_NO_SHADOW | ...: terms to leave out; block or focus is then 1 */
+    int law;                           /* prt_vo_law; anything else counts as PRT_VO_SINE */
+    prt_real light_angle;              /* radians; half the angle under which PRT_VO_CAP sees a light [5 degrees] */
+} prt_vo_params;
+
+/* Exit radiance towards the eye at one point, see above.
+   Errors: PRT_ERR_COUNT (a count below 0); PRT_ERR_NULL. Values are not checked. out may not overlap the inputs.
+   Cost: for each light an exponential; for each occluder and light, by what is not off: 25 operations and a power for
+   block, the same for focus, 30 for DD, 15 and a power each for DS and SS. A gloss that is an integer up to 64 needs
+   multiplications alone. Accuracy: 32 eps of the sum of |terms| for exponents up to 10 (tests/test_vo.c). */
+PRTDEF prt_result prt_vo_shade(const prt_vo_params *params, const prt_vo_point *point, prt_vec3 eye,
+                               int occluder_count, const prt_vo_occluder *occluders,
+                               int light_count, const prt_point_light *lights, prt_rgb *out);
+
+/* The same for many points, out[count]. Point k sees occluders[first[k]] ... occluders[first[k+1] - 1]:
+   first[count + 1], first[0] >= 0, not decreasing (PRT_ERR_COUNT). Each point is the same bits whatever count and place;
+   it differs from prt_vo_shade by rounding.
+   Errors: PRT_ERR_COUNT, PRT_ERR_NULL. */
+PRTDEF prt_result prt_vo_shade_n(const prt_vo_params *params, int count, const prt_vo_point *points, prt_vec3 eye,
+                                 const int *first, const prt_vo_occluder *occluders,
+                                 int light_count, const prt_point_light *lights, prt_rgb *out);
+
 /* --------------------------------------------------------------------------------------------- >>reference ---- */
 
 /* Slow evaluators that share no code with the rooms above, for tests of this library and of yours. */
@@ -721,11 +799,13 @@ extern "C" {
 #ifdef PRT_DOUBLE
 #  define PRT__EPS DBL_EPSILON
 #  define PRT__REAL_MAX DBL_MAX
+#  define PRT__REAL_MIN DBL_MIN
 PRT__INLINE prt_real prt__sqrt(prt_real v) { return sqrt(v); }
 PRT__INLINE prt_real prt__sign(prt_real v) { return copysign(1.0, v); }
 #else
 #  define PRT__EPS FLT_EPSILON
 #  define PRT__REAL_MAX FLT_MAX
+#  define PRT__REAL_MIN FLT_MIN
 PRT__INLINE prt_real prt__sqrt(prt_real v) { return sqrtf(v); }
 PRT__INLINE prt_real prt__sign(prt_real v) { return copysignf(1.0f, v); }
 #endif
@@ -4465,6 +4545,257 @@ PRTDEF prt_result prt_shade_diffuse_n(int bands, int count, const prt_real *tran
     if (!transfer || !light || !out) return PRT_ERR_NULL;
     n = PRT_SH_COUNT(bands);
     for (k = 0; k < count; k++) out[k] = prt__shade(n, transfer + (size_t)k * (size_t)n, light);
+    return PRT_OK;
+}
+
+/* ---------------------------------------------------------------------------------------------------- >>vo ---- */
+
+#ifdef PRT_DOUBLE
+PRT__INLINE prt_real prt__pow(prt_real x, prt_real y) { return pow(x, y); }
+#else
+PRT__INLINE prt_real prt__pow(prt_real x, prt_real y) { return powf(x, y); }
+#endif
+PRT__INLINE prt_real prt__above0(prt_real v) { return v > 0 ? v : 0; }
+
+/* Keeps infinities out: a product or a sum of finite numbers that overflowed becomes the largest finite number. */
+PRT__INLINE prt_real prt__bounded(prt_real v) {
+    return v > PRT__REAL_MAX ? PRT__REAL_MAX : v < -PRT__REAL_MAX ? -PRT__REAL_MAX : v;
+}
+PRT__INLINE prt_rgb prt__rgb_scaled(prt_rgb a, prt_real s) {
+    a.r = prt__bounded(a.r * s); a.g = prt__bounded(a.g * s); a.b = prt__bounded(a.b * s);
+    return a;
+}
+PRT__INLINE prt_rgb prt__rgb_times(prt_rgb a, prt_rgb b) {
+    a.r = prt__bounded(a.r * b.r); a.g = prt__bounded(a.g * b.g); a.b = prt__bounded(a.b * b.b);
+    return a;
+}
+PRT__INLINE prt_rgb prt__rgb_plus(prt_rgb a, prt_rgb b) {
+    a.r = prt__bounded(a.r + b.r); a.g = prt__bounded(a.g + b.g); a.b = prt__bounded(a.b + b.b);
+    return a;
+}
+PRT__INLINE prt_real prt__bounded_dot(prt_vec3 a, prt_vec3 b) {
+    return prt__bounded(prt__bounded(a.x * b.x) + prt__bounded(a.y * b.y) + prt__bounded(a.z * b.z));
+}
+
+/* v at length 1 and its length, through its largest component; zero where v has no direction. */
+PRT__STATIC prt_vec3 prt__direction(prt_vec3 v, prt_real *length) {
+    prt_real x = prt__abs(v.x), y = prt__abs(v.y), z = prt__abs(v.z), most = x > y ? x : y, s;
+    most = z > most ? z : most;
+    *length = 0;
+    if (!(most >= PRT__REAL_MIN)) return prt__vec3(0, 0, 0);
+    x = v.x / most; y = v.y / most; z = v.z / most;
+    s = prt__sqrt(x * x + y * y + z * z);
+    *length = prt__bounded(most * s);
+    return prt__vec3(x / s, y / s, z / s);
+}
+
+/* The unit direction from a to b; halves, so that the difference cannot overflow. */
+PRT__STATIC prt_vec3 prt__towards(prt_vec3 a, prt_vec3 b) {
+    const prt_real half = PRT__R(0.5);
+    prt_real length;
+    return prt__direction(prt__vec3(half * b.x - half * a.x, half * b.y - half * a.y, half * b.z - half * a.z), &length);
+}
+
+PRT__STATIC prt_vec3 prt__reflect(prt_vec3 a, prt_vec3 n) {
+    prt_real twice = prt__bounded(2 * prt__bounded_dot(a, n));
+    return prt__vec3(prt__bounded(a.x - prt__bounded(twice * n.x)), prt__bounded(a.y - prt__bounded(twice * n.y)),
+                     prt__bounded(a.z - prt__bounded(twice * n.z)));
+}
+
+/* Parameters with the defaults in their places. */
+typedef struct prt__vo_law {
+    prt_real shadow, caustic, least, gloss, dd, ds, ss, light_chord;
+    unsigned off;
+    int cap, gloss_power;              /* gloss_power: gloss if it is a small integer, else 0 */
+} prt__vo_law;
+
+#define PRT__VO_GLOSS_POWER 64
+
+PRT__INLINE prt_real prt__or_default(prt_real v, double standard) { return v < 0 || v > 0 ? v : PRT__R(standard); }
+
+PRT__STATIC prt__vo_law prt__vo_law_of(const prt_vo_params *params) {
+    prt__vo_law law;
+    double c0 = (double)prt__or_default(params->caustic_angle, PRT__PI / 180);
+    double light = (double)prt__or_default(params->light_angle, PRT__PI / 36);
+    law.shadow = prt__or_default(params->shadow_strength, 1.5);
+    law.caustic = prt__or_default(params->caustic_strength, 0.5);
+    law.least = PRT__R(sin(c0) * sin(c0));
+    law.light_chord = PRT__R(2 * fabs(sin(light / 2)));
+    law.gloss = prt__above0(prt__or_default(params->gloss, 8));
+    law.gloss_power = 0;
+    if (law.gloss >= 1 && law.gloss <= PRT__VO_GLOSS_POWER && law.gloss - (prt_real)(int)law.gloss <= 0)
+        law.gloss_power = (int)law.gloss;
+    law.dd = prt__or_default(params->dd, 1);
+    law.ds = prt__or_default(params->ds, 1);
+    law.ss = prt__or_default(params->ss, 1);
+    law.off = params->off;
+    law.cap = params->law == (int)PRT_VO_CAP;
+    return law;
+}
+
+PRT__STATIC prt_real prt__vo_gloss(const prt__vo_law *law, prt_real x) {
+    prt_real value = 1;
+    int power = law->gloss_power;
+    if (power == 0) return prt__bounded(prt__pow(x, law->gloss));
+    for (;; x *= x) {
+        if (power & 1) value *= x;
+        if ((power >>= 1) == 0) return prt__bounded(value);
+    }
+}
+
+/* An occluder as one point sees it: everything that does not depend on the light. */
+typedef struct prt__vo_seen {
+    prt_vec3 position, occlusion, caustic, dd_dir, ds_dir, ss_dir;
+    prt_real block, focus;             /* exponents, 0: no such effect */
+    prt_real cap_chord;                /* of the cap that stands for the occluder */
+    prt_rgb transmissive, dd, ds, ss;  /* the colours that the terms carry */
+} prt__vo_seen;
+
+/* Chord of the angle a between the axis and the rim of a cap with form factor F: sin^2 a = F/cosine, at most 1. */
+PRT__INLINE prt_real prt__cap_chord(prt_real f, prt_real cosine) {
+    prt_real sin2 = f < cosine ? f / cosine : 1;
+    return prt__sqrt(2 * sin2 / (1 + prt__sqrt(1 - sin2)));
+}
+
+PRT__STATIC void prt__vo_see(const prt__vo_law *law, const prt_vo_point *p, prt_vec3 mirror, const prt_vo_occluder *o,
+                             prt__vo_seen *s) {
+    prt_vec3 v = prt__towards(p->position, o->position), n;
+    prt_real length, specular, lined_up;
+    s->position = o->position;
+    s->occlusion = prt__direction(o->occlusion, &length);
+    s->block = (law->off & PRT_VO_NO_SHADOW) || !(length > 0) ? 0 : prt__above0(o->form_factor);
+    s->cap_chord = prt__cap_chord(s->block, prt__bounded_dot(p->normal, s->occlusion));
+    if (!law->cap) s->block = prt__bounded(prt__above0(s->block * law->shadow));
+    s->caustic = prt__direction(o->caustic, &length);
+    s->focus = (law->off & PRT_VO_NO_CAUSTIC) || !(length > 0) ? 0
+             : prt__bounded(prt__above0(law->caustic * prt__above0(o->caustic_factor)));
+    s->transmissive = o->transmissive;
+    s->dd_dir = o->diffuse_normal;
+    s->dd = prt__rgb_scaled(prt__rgb_times(o->diffuse, p->diffuse), law->off & PRT_VO_NO_DD ? 0 : law->dd);
+    n = prt__direction(o->specular_normal, &specular);
+    s->ds_dir = prt__reflect(v, n);
+    s->ds = prt__rgb_scaled(prt__rgb_times(o->specular, p->diffuse), law->off & PRT_VO_NO_DS ? 0 : law->ds);
+    s->ds = prt__rgb_scaled(s->ds, specular);
+    s->ss_dir = prt__reflect(mirror, n);
+    lined_up = prt__bounded_dot(p->normal, v) > 0 ? prt__above0(prt__bounded_dot(mirror, v)) : 0;
+    s->ss = prt__rgb_scaled(prt__rgb_times(o->specular, p->specular), law->off & PRT_VO_NO_SS ? 0 : law->ss);
+    s->ss = prt__rgb_scaled(prt__rgb_scaled(s->ss, specular), lined_up);
+}
+
+/* sin^2 of the angle between unit vectors, 1 from 90 degrees on. */
+PRT__INLINE prt_real prt__vo_sin2(prt_vec3 d, prt_vec3 l) {
+    prt_real x = d.y * l.z - d.z * l.y, y = d.z * l.x - d.x * l.z, z = d.x * l.y - d.y * l.x, s = x * x + y * y + z * z;
+    return prt__dot3(d, l) > 0 && s < 1 ? s : 1;
+}
+
+/* Share of a disc of radius `light` that a disc of radius `cap` leaves open, centres `apart`: 1 outside, the share of the
+   areas inside, between them a cubic step. */
+PRT__INLINE prt_real prt__vo_cap_open(prt_real cap, prt_real light, prt_real apart) {
+    prt_real least = cap < light ? cap : light, u = (cap + light - apart) / (2 * least), area = cap / light;
+    if (!(least > 0)) return 1;
+    u = u > 0 ? u < 1 ? u : 1 : 0;
+    area = area < 1 ? area * area : 1;
+    return 1 - area * u * u * (3 - 2 * u);
+}
+
+PRT__INLINE prt_real prt__vo_block(const prt__vo_law *law, const prt__vo_seen *s, prt_vec3 l) {
+    if (!(s->block > 0)) return 1;
+    if (law->cap) {
+        prt_vec3 apart = prt__vec3(s->occlusion.x - l.x, s->occlusion.y - l.y, s->occlusion.z - l.z);
+        return prt__vo_cap_open(s->cap_chord, law->light_chord, prt__sqrt(prt__dot3(apart, apart)));
+    }
+    return prt__pow(prt__vo_sin2(s->occlusion, l), s->block);
+}
+
+PRT__INLINE prt_real prt__vo_focus(const prt__vo_law *law, const prt__vo_seen *s, prt_vec3 l) {
+    prt_real sin2 = prt__vo_sin2(s->caustic, l);
+    if (!(s->focus > 0)) return 1;
+    return prt__bounded(prt__pow(sin2 > law->least ? sin2 : law->least, -s->focus));
+}
+
+PRT__INLINE prt_real prt__vo_pass(prt_real transmissive, prt_real block, prt_real focus) {
+    return prt__bounded(prt__bounded((1 - transmissive) * block) + prt__bounded(transmissive * focus));
+}
+
+/* What the occluder sends to the point of the light, DD + DS + SS. */
+PRT__STATIC prt_rgb prt__vo_sent(const prt__vo_law *law, const prt__vo_seen *s, prt_vec3 light) {
+    prt_vec3 l = prt__towards(s->position, light);
+    prt_rgb sum = prt__rgb_scaled(s->dd, prt__above0(prt__bounded_dot(s->dd_dir, l)));
+    if (!(law->off & PRT_VO_NO_DS))
+        sum = prt__rgb_plus(sum, prt__rgb_scaled(s->ds, prt__vo_gloss(law, prt__above0(prt__bounded_dot(s->ds_dir, l)))));
+    if (!(law->off & PRT_VO_NO_SS))
+        sum = prt__rgb_plus(sum, prt__rgb_scaled(s->ss, prt__vo_gloss(law, prt__above0(prt__bounded_dot(s->ss_dir, l)))));
+    return sum;
+}
+
+/* Lights worked on together, so that an occluder is prepared once for so many. */
+enum { PRT__VO_LIGHTS = 8 };
+enum { PRT__VO_SENDS = PRT_VO_NO_DD | PRT_VO_NO_DS | PRT_VO_NO_SS };
+
+/* Adds what some lights send to the point, directly and by way of the occluders. */
+PRT__STATIC void prt__vo_add_lights(const prt__vo_law *law, const prt_vo_point *p, prt_vec3 mirror, int occluder_count,
+                                    const prt_vo_occluder *occluders, int light_count, const prt_point_light *lights,
+                                    prt_rgb *sum) {
+    prt_vec3 l[PRT__VO_LIGHTS];
+    prt_rgb direct[PRT__VO_LIGHTS];
+    int j, k;
+    for (j = 0; j < light_count; j++) {
+        l[j] = prt__towards(p->position, lights[j].position);
+        direct[j] = prt__rgb_scaled(p->specular, prt__bounded(prt__pow(prt__above0(prt__bounded_dot(mirror, l[j])),
+                                                                       prt__above0(p->shininess))));
+        direct[j] = prt__rgb_plus(direct[j], prt__rgb_scaled(p->diffuse, prt__above0(prt__bounded_dot(p->normal, l[j]))));
+    }
+    for (k = 0; k < occluder_count; k++) {
+        prt__vo_seen s;
+        prt__vo_see(law, p, mirror, &occluders[k], &s);
+        for (j = 0; j < light_count; j++) {
+            prt_real block = prt__vo_block(law, &s, l[j]), focus = prt__vo_focus(law, &s, l[j]);
+            direct[j].r = prt__bounded(direct[j].r * prt__vo_pass(s.transmissive.r, block, focus));
+            direct[j].g = prt__bounded(direct[j].g * prt__vo_pass(s.transmissive.g, block, focus));
+            direct[j].b = prt__bounded(direct[j].b * prt__vo_pass(s.transmissive.b, block, focus));
+            if ((law->off & PRT__VO_SENDS) == PRT__VO_SENDS) continue;
+            *sum = prt__rgb_plus(*sum, prt__rgb_times(lights[j].color, prt__vo_sent(law, &s, lights[j].position)));
+        }
+    }
+    for (j = 0; j < light_count; j++) *sum = prt__rgb_plus(*sum, prt__rgb_times(lights[j].color, direct[j]));
+}
+
+PRT__STATIC prt_rgb prt__vo_shade(const prt__vo_law *law, const prt_vo_point *p, prt_vec3 eye, int occluder_count,
+                                  const prt_vo_occluder *occluders, int light_count, const prt_point_light *lights) {
+    prt_vec3 mirror = prt__reflect(prt__towards(eye, p->position), p->normal);
+    prt_rgb sum = p->emissive;
+    int j;
+    for (j = 0; j < light_count; j += PRT__VO_LIGHTS)
+        prt__vo_add_lights(law, p, mirror, occluder_count, occluders,
+                           light_count - j < PRT__VO_LIGHTS ? light_count - j : (int)PRT__VO_LIGHTS, lights + j, &sum);
+    sum.r = prt__above0(sum.r); sum.g = prt__above0(sum.g); sum.b = prt__above0(sum.b);
+    return sum;
+}
+
+PRTDEF prt_result prt_vo_shade(const prt_vo_params *params, const prt_vo_point *point, prt_vec3 eye,
+                               int occluder_count, const prt_vo_occluder *occluders,
+                               int light_count, const prt_point_light *lights, prt_rgb *out) {
+    prt__vo_law law;
+    if (occluder_count < 0 || light_count < 0) return PRT_ERR_COUNT;
+    if (!params || !point || !out || (occluder_count > 0 && !occluders) || (light_count > 0 && !lights)) return PRT_ERR_NULL;
+    law = prt__vo_law_of(params);
+    *out = prt__vo_shade(&law, point, eye, occluder_count, occluders, light_count, lights);
+    return PRT_OK;
+}
+
+PRTDEF prt_result prt_vo_shade_n(const prt_vo_params *params, int count, const prt_vo_point *points, prt_vec3 eye,
+                                 const int *first, const prt_vo_occluder *occluders,
+                                 int light_count, const prt_point_light *lights, prt_rgb *out) {
+    prt__vo_law law;
+    int k;
+    if (count < 0 || light_count < 0) return PRT_ERR_COUNT;
+    if (!params || (count > 0 && (!points || !first || !out)) || (light_count > 0 && !lights)) return PRT_ERR_NULL;
+    for (k = 0; k < count; k++) if (first[k] < 0 || first[k + 1] < first[k]) return PRT_ERR_COUNT;
+    if (count > 0 && first[count] > first[0] && !occluders) return PRT_ERR_NULL;
+    law = prt__vo_law_of(params);
+    for (k = 0; k < count; k++)
+        out[k] = prt__vo_shade(&law, &points[k], eye, first[k + 1] - first[k], occluders ? occluders + first[k] : NULL,
+                               light_count, lights);
     return PRT_OK;
 }
 

@@ -21,7 +21,9 @@
                                    time, in any thread, process or machine, with the same bits
      4. prt_bake_error             of two bakes with different seeds: their mean, and its standard error at each point
      5. prt_shade_diffuse (prt.h)  transfer and light -> exit radiance, at run time
-     Rooms, by the tag to grep for: >>types, >>sample point sets, >>point bake points, >>direct transfer.
+     For vector occluders (prt_vo_shade) instead: prt_bake_vo_ao, prt_bake_vo, prt_vo_compact.
+     Rooms, by the tag to grep for: >>types, >>sample point sets, >>point bake points, >>direct transfer, >>vo vector
+     occluders.
 
    A COMPLETE EXAMPLE
      #include <stdio.h>
@@ -93,6 +95,7 @@
      [Cranley 1976]    Cranley, Patterson: Randomization of Number Theoretic Methods for Multiple Integration. 1976
      [Duff 2017]       Duff et al.: Building an Orthonormal Basis, Revisited. JCGT 6(1), 2017
      [Marques 2013]    Marques et al.: Spherical Fibonacci Point Sets for Illumination Integrals. CGF 32(8), 2013
+     [Sherif 2013]     Sherif: Vector Occluders. MSc thesis, University of Ontario Institute of Technology, 2013
      [Steele 2014]     Steele, Lea, Flood: Fast Splittable Pseudorandom Number Generators. OOPSLA 2014
      [Thuermer 1998]   Thuermer, Wuethrich: Computing Vertex Normals from Polygonal Facets. JGT 3(1), 1998
 */
@@ -251,6 +254,93 @@ PRTDEF prt_result prt_bake_transfer(const prt_bake_desc *desc, int point_count, 
 PRTDEF prt_result prt_bake_error(int bands, int point_count, const prt_real *a, const prt_real *b, prt_real *mean,
                                  prt_real *error);
 
+/* ---------------------------------------------------------------------------------------------------- >>vo ---- */
+
+/* Vector occluders for prt_vo_shade [Sherif 2013, chapter 7.2], in two passes over the same points: prt_bake_vo_ao, then
+   prt_bake_vo. An occluder is a group of primitives of one object; prt_vo_split makes groups. */
+typedef struct prt_vo_object {         /* zero-initialise; 0 means the default in brackets */
+    prt_rgb diffuse, specular, transmissive;   /* each channel 0 ... 1 */
+    prt_real refraction;               /* refractive index of the inside against the outside, where transmissive [1.5] */
+    int primitive_count;               /* needed where groups or triangles are given */
+    int group_count;                   /* occluders that the object falls into [1] */
+    const int *groups;                 /* [primitive_count], each 0 ... group_count - 1; NULL: all 0 */
+    const uint32_t *triangles;         /* [primitive_count][3]: the points (indices into `points`) at the corners of each
+                                          primitive, where ambient occlusion is looked up; NULL: hits count as open */
+} prt_vo_object;
+
+typedef struct prt_vo_desc {           /* zero-initialise; 0 means the default in brackets */
+    int samples;                       /* feeler rays a point, in each pass [4096] */
+    int max_occluders;                 /* K: occluders kept a point, the strongest [5] */
+    int max_bends;                     /* surfaces that a caustic path may meet before it counts as lost [8] */
+    uint64_t seed;
+    prt_real bias, scene_radius;       /* as in prt_bake_desc */
+    prt_real least;                    /* occluders of a smaller form factor are dropped [0] */
+    unsigned off;                      /* PRT_VO_NO_CAUSTIC | _NO_DD | _NO_DS | _NO_SS: what not to bake */
+    int object_count;
+    const prt_vo_object *objects;      /* [object_count], by prt_hit.object */
+    const prt_tracer *tracer;          /* required. Pass 1 needs occluded; pass 2 closest, and for DS and SS occluded */
+    prt_progress progress; void *progress_user;
+} prt_vo_desc;
+
+typedef struct prt_vo_row {            /* what prt_bake_vo kept of a point */
+    int count, dropped;                /* occluders kept, and seen but dropped */
+    prt_real dropped_factor;           /* sum of the form factors of the dropped ones */
+} prt_vo_row;
+
+/* Terms that no object of the scene can cause, as PRT_VO_NO_ flags for prt_vo_desc and prt_vo_params: NO_CAUSTIC where
+   nothing is transmissive, NO_DD where no object has a diffuse colour, NO_DS and NO_SS where none has a specular one.
+   prt_bake_vo leaves these out by itself. A NULL pointer or a count below 1: all four. */
+PRTDEF unsigned prt_vo_unneeded(int object_count, const prt_vo_object *objects);
+
+/* Bytes of occluders[point_count][max_occluders] (0: the default), or 0 if out of range or too large for a size_t. */
+PRTDEF size_t prt_bake_vo_size(int max_occluders, int point_count);
+
+/* Bytes that prt_bake_vo takes from PRT_MALLOC, in one piece; 0: desc is NULL, or a size does not fit. */
+PRTDEF size_t prt_bake_vo_scratch_size(const prt_vo_desc *desc);
+
+/* Pass 1, ambient occlusion: open[k] = the share of the cosine-weighted hemisphere over points[k] in which nothing is hit, 1
+   unoccluded, for k = first ... first+count-1; no other value is touched. It is prt_bake_transfer with one band, and so
+   are ranges, bits, errors and progress; desc->objects is not read. */
+PRTDEF prt_result prt_bake_vo_ao(const prt_vo_desc *desc, int point_count, const prt_point *points, int first, int count,
+                                 prt_real *open);
+
+/* Pass 2: occluders of points[first ... first+count-1] into the same rows of occluders[point_count][K] and
+   rows[point_count]; no other row is touched; slots past rows[k].count are zero.
+   open: pass 1 of all points, [point_count], or NULL where ambient occlusion shall count as 1.
+
+   `samples` feeler rays w, cosine-distributed, so that each has F_ray = 1/samples (equation 7.1 with importance sampling).
+   Of the rays that hit an occluder first, t away with the unit normal n turned towards the point,
+     form_factor = sum F_ray             occlusion = sum w, made unit         position = mean of the hits
+     diffuse_normal = sum F_ray AO n     AO interpolated between the corners of the primitive
+     specular_normal = sum F_ray n       over hits whose mirror direction is open
+     caustic = sum of the directions in which the ray reaches free space after refraction, made unit
+     caustic_factor = sum F_ray          over rays that reach it
+     transmissive = mean over these rays of the product of `transmissive` of every object that the ray entered; where caustics
+                           are off, that of the object
+     diffuse, specular = those of the object
+   Refraction follows Snell's law with total internal reflection at objects whose `transmissive` is not black, which must be
+   closed, with normals outward; nothing is lost by partial reflection. A ray ends at an opaque object.
+   Rows are in order of falling form factor. The bits of a row depend on desc, open, its point and its index alone.
+
+   Errors, before anything is written: PRT_ERR_NULL (desc); PRT_ERR_COUNT (samples, max_occluders, max_bends, object_count,
+   primitive_count or group_count below 0; a range as in prt_bake_transfer; an entry of groups or triangles out of range);
+   PRT_ERR_CAPACITY; PRT_ERR_NULL (rows, occluders or points with count > 0, objects with object_count > 0, tracer or a
+   callback that is needed); PRT_ERR_VALUE (a material outside 0 ... 1 or not finite; refraction, least, bias, scene_radius
+   negative or not finite; open outside 0 ... 1; points as in prt_bake_transfer); PRT_ERR_MEMORY. Then PRT_ERR_TRACE, when a
+   callback fails or returns a hit that cannot be: an unknown object, a primitive out of range, t below 0, a normal that is
+   not unit within 1e-3, numbers that are not finite; and PRT_ERR_CANCELLED. Points finished before stay valid.
+   hits[k].object is -1 on entry. A batch holds rays of one point. Cost: samples rays, one any-hit ray for each hit on a
+   specular object, and a few for each on a transmissive one; a sum of [occluders of the scene] a point. */
+PRTDEF prt_result prt_bake_vo(const prt_vo_desc *desc, int point_count, const prt_point *points, const prt_real *open,
+                              int first, int count, prt_vo_row *rows, prt_vo_occluder *occluders);
+
+/* Rows of max_occluders (0: the default) slots each to the form that prt_vo_shade_n wants, in place: occluders one after the
+   other, those of point k from first[k] to first[k+1] - 1. first[point_count + 1]; first[point_count] is their number.
+   Errors: PRT_ERR_COUNT (point_count or max_occluders below 0; rows[k].count outside 0 ... K); PRT_ERR_CAPACITY (more than
+   INT_MAX occluders); PRT_ERR_NULL. Cost: one pass. */
+PRTDEF prt_result prt_vo_compact(int max_occluders, int point_count, const prt_vo_row *rows, prt_vo_occluder *occluders,
+                                 int *first);
+
 #ifdef __cplusplus
 }
 #endif
@@ -265,6 +355,7 @@ PRTDEF prt_result prt_bake_error(int bands, int point_count, const prt_real *a, 
 
 #include "prt.h"                              /* once more: its private part, had it been included without any */
 #include <float.h>
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -742,15 +833,29 @@ PRTDEF size_t prt_bake_scratch_size(int bands) {
 }
 
 /* Where a point's rays start. */
-PRT__INLINE prt_vec3 prt__bake_origin(const prt__bake *b, const prt_point *p) {
-    return prt__vec3(p->position.x + b->bias * p->normal.x, p->position.y + b->bias * p->normal.y,
-                     p->position.z + b->bias * p->normal.z);
+PRT__INLINE prt_vec3 prt__bake_origin(prt_real bias, const prt_point *p) {
+    return prt__vec3(p->position.x + bias * p->normal.x, p->position.y + bias * p->normal.y,
+                     p->position.z + bias * p->normal.z);
+}
+
+PRT__INLINE prt_real prt__bake_bias(prt_real bias, prt_real scene_radius) {   /* with the default in its place */
+    return bias > 0 ? bias : PRT__R(1e-4) * (scene_radius > 0 ? scene_radius : 1);
+}
+
+/* Whether the points in the range can be baked, before and after the bias. */
+PRT__STATIC prt_result prt__bake_points_check(prt_real bias, int point_count, const prt_point *points, int first,
+                                              int count) {
+    prt_result r = prt_points_check(point_count, points, first, count, 0);
+    int k;
+    for (k = first; r == PRT_OK && k < first + count; k++)
+        if (!prt__finite3(prt__bake_origin(bias, &points[k]))) r = PRT_ERR_VALUE;
+    return r;
 }
 
 PRT__STATIC void prt__bake_block_rays(prt__bake *b, const prt_point *point, int first, int count) {
     prt_ray ray;
     int k;
-    ray.origin = prt__bake_origin(b, point);
+    ray.origin = prt__bake_origin(b->bias, point);
     ray.tmin = 0;
     ray.tmax = PRT__R(FLT_MAX);
     for (k = first; k < first + count; k++) {
@@ -872,8 +977,7 @@ PRT__STATIC prt_result prt__bake_range(prt__bake *b, int first, int count) {
 /* Resolves the defaults of desc into b; the checks in the order that the interface promises. */
 PRT__STATIC prt_result prt__bake_open(prt__bake *b, const prt_bake_desc *desc, int point_count, const prt_point *points,
                                       int first, int count, prt_real *transfer) {
-    prt_result r;
-    int bands, k;
+    int bands;
     if (!desc) return PRT_ERR_NULL;
     bands = desc->bands ? desc->bands : PRT__DEFAULT_BANDS;
     if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
@@ -889,13 +993,9 @@ PRT__STATIC prt_result prt__bake_open(prt__bake *b, const prt_bake_desc *desc, i
     b->points = points;
     b->transfer = transfer;
     b->samples = desc->samples ? desc->samples : PRT__DEFAULT_SAMPLES;
-    b->bias = desc->bias;
-    if (b->bias <= 0) b->bias = PRT__R(1e-4) * (desc->scene_radius > 0 ? desc->scene_radius : 1);
+    b->bias = prt__bake_bias(desc->bias, desc->scene_radius);
     prt__bake_shape(b, bands);
-    r = prt_points_check(point_count, points, first, count, 0);
-    for (k = first; r == PRT_OK && k < first + count; k++)
-        if (!prt__finite3(prt__bake_origin(b, &points[k]))) r = PRT_ERR_VALUE;
-    return r;
+    return prt__bake_points_check(b->bias, point_count, points, first, count);
 }
 
 PRTDEF prt_result prt_bake_transfer(const prt_bake_desc *desc, int point_count, const prt_point *points, int first,
@@ -931,6 +1031,524 @@ PRTDEF prt_result prt_bake_error(int bands, int point_count, const prt_real *a, 
             if (mean) mean[row + (size_t)i] = (prt_real)((one + two) / 2);
         }
         if (error) error[k] = (prt_real)(sqrt(square) / 2);
+    }
+    return PRT_OK;
+}
+
+/* ---------------------------------------------------------------------------------------------------- >>vo ---- */
+
+enum { PRT__VO_SAMPLES = 4096, PRT__VO_OCCLUDERS = 5, PRT__VO_BENDS = 8 };
+enum { PRT__VO_MIRRORS = PRT_VO_NO_DS | PRT_VO_NO_SS };         /* neither of them: no mirror rays */
+enum { PRT__VO_BATCH = PRT_BAKE_BATCH / PRT__BLOCK * PRT__BLOCK };
+
+PRT__STATIC int prt__rgb_any(prt_rgb c) { return c.r > 0 || c.g > 0 || c.b > 0; }
+
+PRTDEF unsigned prt_vo_unneeded(int object_count, const prt_vo_object *objects) {
+    unsigned off = PRT_VO_NO_CAUSTIC | PRT_VO_NO_DD | PRT_VO_NO_DS | PRT_VO_NO_SS;
+    int k;
+    for (k = 0; objects && k < object_count; k++) {
+        if (prt__rgb_any(objects[k].transmissive)) off &= ~(unsigned)PRT_VO_NO_CAUSTIC;
+        if (prt__rgb_any(objects[k].diffuse)) off &= ~(unsigned)PRT_VO_NO_DD;
+        if (prt__rgb_any(objects[k].specular)) off &= ~(unsigned)(PRT_VO_NO_DS | PRT_VO_NO_SS);
+    }
+    return off;
+}
+
+/* What the rays of a point found of one occluder; every ray counts 1. */
+typedef struct prt__vo_sum {
+    double hits, position[3], direction[3], diffuse_normal[3], specular_normal[3];
+    double escaped, caustic[3], through[3];
+} prt__vo_sum;
+
+/* A ray on its way through transmissive objects, or to be tested for an open mirror direction. */
+typedef struct prt__vo_path { int group; double normal[3], through[3]; } prt__vo_path;
+
+typedef struct prt__vo_bake {
+    const prt_vo_desc *desc;
+    const prt_point *points;
+    const prt_real *open;
+    prt_vo_row *rows;
+    prt_vo_occluder *occluders;
+    int samples, keep, bends, groups;  /* groups: occluders of the whole scene */
+    unsigned off;
+    prt_real bias;
+    prt_ray *rays, *next;              /* [PRT__VO_BATCH] each: feelers, and what follows from their hits */
+    prt_hit *hits;                     /* [PRT__VO_BATCH] */
+    prt__vo_path *paths;               /* [PRT__VO_BATCH], beside next */
+    prt_real *x, *y, *z;               /* [PRT__VO_BATCH + PRT__BLOCK] */
+    unsigned char *blocked;            /* [PRT__VO_BATCH] */
+    prt__vo_sum *sums;                 /* [groups] */
+    int *object_of, *base;             /* [groups], [object_count]: the object of a group, the first group of an object */
+    int *order;                        /* [keep]: groups of a point in order of falling form factor */
+    prt__steps steps;
+} prt__vo_bake;
+
+PRT__STATIC size_t prt__vo_layout(prt__vo_bake *b, unsigned char *memory) {
+    size_t used = PRT__LINE, batch = PRT__VO_BATCH, groups = (size_t)b->groups;
+    if (memory) used -= (size_t)((uintptr_t)memory % PRT__LINE);
+    b->rays = (prt_ray *)prt__carve(memory, &used, batch, sizeof *b->rays);
+    b->next = (prt_ray *)prt__carve(memory, &used, batch, sizeof *b->next);
+    b->hits = (prt_hit *)prt__carve(memory, &used, batch, sizeof *b->hits);
+    b->paths = (prt__vo_path *)prt__carve(memory, &used, batch, sizeof *b->paths);
+    b->x = (prt_real *)prt__carve(memory, &used, batch + PRT__BLOCK, sizeof *b->x);
+    b->y = (prt_real *)prt__carve(memory, &used, batch + PRT__BLOCK, sizeof *b->y);
+    b->z = (prt_real *)prt__carve(memory, &used, batch + PRT__BLOCK, sizeof *b->z);
+    b->blocked = (unsigned char *)prt__carve(memory, &used, batch, 1);
+    b->sums = (prt__vo_sum *)prt__carve(memory, &used, groups, sizeof *b->sums);
+    b->object_of = (int *)prt__carve(memory, &used, groups, sizeof *b->object_of);
+    b->base = (int *)prt__carve(memory, &used, (size_t)b->desc->object_count, sizeof *b->base);
+    b->order = (int *)prt__carve(memory, &used, (size_t)b->keep, sizeof *b->order);
+    return used;
+}
+
+PRTDEF size_t prt_bake_vo_size(int max_occluders, int point_count) {
+    size_t row;
+    if (max_occluders < 0 || point_count < 0) return 0;
+    row = (size_t)(max_occluders ? max_occluders : (int)PRT__VO_OCCLUDERS);
+    if (row > SIZE_MAX / sizeof(prt_vo_occluder)) return 0;
+    row *= sizeof(prt_vo_occluder);
+    return (size_t)point_count > SIZE_MAX / row ? 0 : row * (size_t)point_count;
+}
+
+/* Defaults of desc, and the number of groups; PRT_ERR_CAPACITY if that does not fit an int. */
+PRT__STATIC prt_result prt__vo_shape(prt__vo_bake *b, const prt_vo_desc *desc) {
+    int k, groups = 0;
+    memset(b, 0, sizeof *b);
+    b->desc = desc;
+    b->samples = desc->samples ? desc->samples : (int)PRT__VO_SAMPLES;
+    b->keep = desc->max_occluders ? desc->max_occluders : (int)PRT__VO_OCCLUDERS;
+    b->bends = desc->max_bends ? desc->max_bends : (int)PRT__VO_BENDS;
+    for (k = 0; k < desc->object_count; k++) {
+        int own = desc->objects[k].group_count ? desc->objects[k].group_count : 1;
+        if (own > INT_MAX - groups) return PRT_ERR_CAPACITY;
+        groups += own;
+    }
+    b->groups = groups;
+    b->off = desc->off | prt_vo_unneeded(desc->object_count, desc->objects);
+    return prt__vo_layout(b, 0) < SIZE_MAX ? PRT_OK : PRT_ERR_CAPACITY;
+}
+
+PRT__STATIC prt_result prt__vo_counts(const prt_vo_desc *desc) {
+    int k;
+    if (desc->samples < 0 || desc->max_occluders < 0 || desc->max_bends < 0 || desc->object_count < 0) return PRT_ERR_COUNT;
+    for (k = 0; desc->objects && k < desc->object_count; k++)
+        if (desc->objects[k].primitive_count < 0 || desc->objects[k].group_count < 0) return PRT_ERR_COUNT;
+    return desc->object_count > 0 && !desc->objects ? PRT_ERR_NULL : PRT_OK;
+}
+
+PRTDEF size_t prt_bake_vo_scratch_size(const prt_vo_desc *desc) {
+    prt__vo_bake b;
+    if (!desc || prt__vo_counts(desc) != PRT_OK || prt__vo_shape(&b, desc) != PRT_OK) return 0;
+    return prt__vo_layout(&b, 0);
+}
+
+/* Pass 1 writes transfer of one band; this turns a row into a share as soon as it stands there. */
+typedef struct prt__vo_ao { const prt_vo_desc *desc; prt_real *open; } prt__vo_ao;
+PRT__STATIC int prt__vo_ao_done(void *user, int done, int total) {
+    const prt__vo_ao *ao = (const prt__vo_ao *)user;
+    prt_real share = ao->open[done - 1] * PRT__R(2 * 1.77245385090551602729816748334114518);   /* 1/Y(0,0) = 2 sqrt(pi) */
+    ao->open[done - 1] = share > 1 ? 1 : share;
+    return ao->desc->progress ? ao->desc->progress(ao->desc->progress_user, done, total) : 0;
+}
+
+PRTDEF prt_result prt_bake_vo_ao(const prt_vo_desc *desc, int point_count, const prt_point *points, int first, int count,
+                                 prt_real *open) {
+    prt_bake_desc transfer;
+    prt__vo_ao ao;
+    if (!desc) return PRT_ERR_NULL;
+    memset(&transfer, 0, sizeof transfer);
+    transfer.bands = 1;
+    transfer.samples = desc->samples ? desc->samples : (int)PRT__VO_SAMPLES;
+    transfer.seed = desc->seed;
+    transfer.bias = desc->bias;
+    transfer.scene_radius = desc->scene_radius;
+    transfer.tracer = desc->tracer;
+    transfer.progress = prt__vo_ao_done;
+    transfer.progress_user = &ao;
+    ao.desc = desc;
+    ao.open = open ? open + first : NULL;
+    return prt_bake_transfer(&transfer, point_count, points, first, count, open);
+}
+
+PRT__STATIC int prt__rgb_within_1(prt_rgb c) {                 /* false for NaN */
+    return c.r >= 0 && c.r <= 1 && c.g >= 0 && c.g <= 1 && c.b >= 0 && c.b <= 1;
+}
+PRT__STATIC int prt__not_negative(prt_real v) { return v >= 0 && prt__finite(v); }
+
+PRT__STATIC prt_result prt__vo_object_check(const prt_vo_object *o, int point_count) {
+    int k, corner, groups = o->group_count ? o->group_count : 1;
+    for (k = 0; k < o->primitive_count; k++) {
+        if (o->groups && (o->groups[k] < 0 || o->groups[k] >= groups)) return PRT_ERR_COUNT;
+        for (corner = 0; o->triangles && corner < 3; corner++)
+            if (o->triangles[(size_t)k * 3 + (size_t)corner] >= (uint32_t)point_count) return PRT_ERR_COUNT;
+    }
+    if (!prt__rgb_within_1(o->diffuse) || !prt__rgb_within_1(o->specular) || !prt__rgb_within_1(o->transmissive))
+        return PRT_ERR_VALUE;
+    return prt__not_negative(o->refraction) ? PRT_OK : PRT_ERR_VALUE;
+}
+
+/* The first error of either kind over all objects: of counts before values. */
+PRT__STATIC prt_result prt__vo_objects_check(const prt_vo_desc *desc, int point_count, prt_result kind) {
+    int k;
+    for (k = 0; k < desc->object_count; k++)
+        if (prt__vo_object_check(&desc->objects[k], point_count) == kind) return kind;
+    return PRT_OK;
+}
+
+PRT__STATIC prt_result prt__vo_values(const prt__vo_bake *b, int point_count, int first, int count) {
+    const prt_vo_desc *desc = b->desc;
+    int k;
+    if (prt__vo_objects_check(desc, point_count, PRT_ERR_VALUE) != PRT_OK) return PRT_ERR_VALUE;
+    if (!prt__not_negative(desc->bias) || !prt__not_negative(desc->scene_radius) || !prt__not_negative(desc->least))
+        return PRT_ERR_VALUE;
+    for (k = 0; b->open && k < point_count; k++) if (!(b->open[k] >= 0 && b->open[k] <= 1)) return PRT_ERR_VALUE;
+    return prt__bake_points_check(b->bias, point_count, b->points, first, count);
+}
+
+/* Resolves the defaults of desc into b; the checks in the order that the interface promises. */
+PRT__STATIC prt_result prt__vo_open(prt__vo_bake *b, const prt_vo_desc *desc, int point_count, const prt_point *points,
+                                    const prt_real *open, int first, int count, prt_vo_row *rows,
+                                    prt_vo_occluder *occluders) {
+    prt_result r;
+    if (!desc) return PRT_ERR_NULL;
+    r = prt__vo_counts(desc);
+    if (r != PRT_OK) return r;
+    if (!prt__range_ok(point_count, first, count)) return PRT_ERR_COUNT;
+    r = prt__vo_objects_check(desc, point_count, PRT_ERR_COUNT);
+    if (r == PRT_OK) r = prt__vo_shape(b, desc);
+    if (r != PRT_OK) return r;
+    if (count > 0 && !prt_bake_vo_size(desc->max_occluders, point_count)) return PRT_ERR_CAPACITY;
+    if (count > 0 && (!points || !rows || !occluders)) return PRT_ERR_NULL;
+    if (!desc->tracer || !desc->tracer->closest) return PRT_ERR_NULL;
+    if (!desc->tracer->occluded && (b->off & PRT__VO_MIRRORS) != PRT__VO_MIRRORS) return PRT_ERR_NULL;
+    b->points = points;
+    b->open = open;
+    b->rows = rows;
+    b->occluders = occluders;
+    b->bias = prt__bake_bias(desc->bias, desc->scene_radius);
+    return prt__vo_values(b, point_count, first, count);
+}
+
+PRT__STATIC void prt__vo_list_groups(prt__vo_bake *b) {
+    int k, group = 0;
+    for (k = 0; k < b->desc->object_count; k++) {
+        int own = b->desc->objects[k].group_count ? b->desc->objects[k].group_count : 1;
+        b->base[k] = group;
+        for (; own > 0; own--) b->object_of[group++] = k;
+    }
+}
+
+/* ---- rays ---- */
+
+PRT__INLINE void prt__to_doubles(prt_vec3 v, double out[3]) {
+    out[0] = (double)v.x; out[1] = (double)v.y; out[2] = (double)v.z;
+}
+PRT__INLINE prt_vec3 prt__from_doubles(const double v[3]) {
+    return prt__vec3((prt_real)v[0], (prt_real)v[1], (prt_real)v[2]);
+}
+PRT__INLINE void prt__add_scaled(double sum[3], const double v[3], double s) {
+    sum[0] += s * v[0]; sum[1] += s * v[1]; sum[2] += s * v[2];
+}
+
+/* A hit in doubles: where, the unit normal as the tracer gave it, and the direction that met it. */
+typedef struct prt__vo_event { double at[3], normal[3], dir[3]; } prt__vo_event;
+
+/* Whether a hit can be; then what it is. */
+PRT__STATIC int prt__vo_event_of(const prt__vo_bake *b, const prt_ray *ray, const prt_hit *hit, prt__vo_event *e) {
+    const prt_vo_object *o;
+    int k;
+    if (hit->object >= b->desc->object_count) return 0;
+    o = &b->desc->objects[hit->object];
+    if ((o->groups || o->triangles) && (hit->primitive < 0 || hit->primitive >= o->primitive_count)) return 0;
+    if (!prt__not_negative(hit->t) || !prt__unit_within(hit->normal)) return 0;
+    if (o->triangles && !(prt__finite(hit->u) && prt__finite(hit->v))) return 0;
+    prt__to_doubles(ray->origin, e->at);
+    prt__to_doubles(ray->dir, e->dir);
+    prt__to_doubles(hit->normal, e->normal);
+    prt__add_scaled(e->at, e->dir, (double)hit->t);
+    for (k = 0; k < 3; k++) if (!(fabs(e->at[k]) <= (double)PRT__REAL_MAX)) return 0;
+    return 1;
+}
+
+/* A ray from a hit, lifted off the surface by the bias along `side`; tmin and tmax as everywhere. */
+PRT__STATIC prt_ray prt__vo_ray_from(const prt__vo_bake *b, const double at[3], const double side[3], double sign,
+                                     const double dir[3]) {
+    prt_ray ray;
+    double origin[3];
+    int k;
+    for (k = 0; k < 3; k++) origin[k] = at[k] + sign * (double)b->bias * side[k];
+    ray.origin = prt__from_doubles(origin);
+    ray.dir = prt__from_doubles(dir);
+    ray.tmin = 0;
+    ray.tmax = PRT__R(FLT_MAX);
+    return ray;
+}
+
+/* Ambient occlusion at a hit. */
+PRT__STATIC double prt__vo_open_at(const prt__vo_bake *b, const prt_hit *hit) {
+    const prt_vo_object *o = &b->desc->objects[hit->object];
+    const uint32_t *corner;
+    double u = (double)hit->u, v = (double)hit->v, open;
+    if (!b->open || !o->triangles) return 1;
+    corner = o->triangles + (size_t)hit->primitive * 3;
+    open = (1 - u - v) * (double)b->open[corner[0]] + u * (double)b->open[corner[1]] + v * (double)b->open[corner[2]];
+    return open < 0 ? 0 : open > 1 ? 1 : open;
+}
+
+PRT__STATIC int prt__vo_group_of(const prt__vo_bake *b, const prt_hit *hit) {
+    const prt_vo_object *o = &b->desc->objects[hit->object];
+    return b->base[hit->object] + (o->groups ? o->groups[hit->primitive] : 0);
+}
+
+/* Snell's law. dir meets the surface with outward unit normal n of a body whose index, against outside, is `refraction`; dir
+   becomes the direction behind it. Returns 1: it entered, -1: it left, 0: total internal reflection. */
+PRT__STATIC int prt__vo_bend(double refraction, const double n[3], double dir[3]) {
+    double along = prt__ddot(dir, n), sign = along < 0 ? 1 : -1, cosine = along < 0 ? -along : along;
+    double ratio = along < 0 ? 1 / refraction : refraction, left = 1 - ratio * ratio * (1 - cosine * cosine), bent[3];
+    int k;
+    if (left < 0) {
+        for (k = 0; k < 3; k++) bent[k] = dir[k] - 2 * along * n[k];
+        prt__normalise(bent, dir);
+        return 0;
+    }
+    for (k = 0; k < 3; k++) bent[k] = ratio * dir[k] + (ratio * cosine - sqrt(left)) * sign * n[k];
+    prt__normalise(bent, dir);
+    return along < 0 ? 1 : -1;
+}
+
+/* Adds path and ray number `at` to the rays that follow: what becomes of a ray that met a transmissive object. */
+PRT__STATIC void prt__vo_follow(prt__vo_bake *b, int at, int object, const prt__vo_event *e, const prt__vo_path *path) {
+    const prt_vo_object *o = &b->desc->objects[object];
+    double refraction = o->refraction > 0 ? (double)o->refraction : 1.5, dir[3], inside;
+    prt__vo_path *p = &b->paths[at];
+    int entered;
+    *p = *path;
+    dir[0] = e->dir[0]; dir[1] = e->dir[1]; dir[2] = e->dir[2];
+    entered = prt__vo_bend(refraction, e->normal, dir);
+    if (entered > 0) {
+        p->through[0] *= (double)o->transmissive.r;
+        p->through[1] *= (double)o->transmissive.g;
+        p->through[2] *= (double)o->transmissive.b;
+    }
+    inside = entered > 0 || (entered == 0 && prt__ddot(e->dir, e->normal) > 0) ? -1 : 1;
+    b->next[at] = prt__vo_ray_from(b, e->at, e->normal, inside, dir);
+}
+
+/* Follows `count` rays until they reach free space, meet something opaque, or have been bent too often. */
+PRT__STATIC prt_result prt__vo_caustics(prt__vo_bake *b, int count) {
+    const prt_tracer *tracer = b->desc->tracer;
+    int bend, k;
+    for (bend = 1; count > 0; bend++) {
+        int left = 0;
+        for (k = 0; k < count; k++) b->hits[k].object = -1;
+        if (tracer->closest(tracer->user, count, b->next, b->hits)) return PRT_ERR_TRACE;
+        for (k = 0; k < count; k++) {
+            prt__vo_path path = b->paths[k];
+            prt__vo_event e;
+            if (b->hits[k].object < 0) {
+                prt__vo_sum *s = &b->sums[path.group];
+                prt__to_doubles(b->next[k].dir, e.dir);
+                prt__add_scaled(s->caustic, e.dir, 1);
+                prt__add_scaled(s->through, path.through, 1);
+                s->escaped++;
+                continue;
+            }
+            if (!prt__vo_event_of(b, &b->next[k], &b->hits[k], &e)) return PRT_ERR_TRACE;
+            if (bend < b->bends && prt__rgb_any(b->desc->objects[b->hits[k].object].transmissive))
+                prt__vo_follow(b, left++, b->hits[k].object, &e, &path);
+        }
+        count = left;
+    }
+    return PRT_OK;
+}
+
+/* Counts the hits whose mirror direction is open. */
+PRT__STATIC prt_result prt__vo_mirrors(prt__vo_bake *b, int count) {
+    const prt_tracer *tracer = b->desc->tracer;
+    int k;
+    if (count == 0) return PRT_OK;
+    memset(b->blocked, 0, (size_t)count);
+    if (tracer->occluded(tracer->user, count, b->next, b->blocked)) return PRT_ERR_TRACE;
+    for (k = 0; k < count; k++)
+        if (!b->blocked[k]) prt__add_scaled(b->sums[b->paths[k].group].specular_normal, b->paths[k].normal, 1);
+    return PRT_OK;
+}
+
+/* Adds a hit to the sums of its occluder; queues its mirror ray as number *mirrors where one is wanted. */
+PRT__STATIC void prt__vo_add_hit(prt__vo_bake *b, const prt_hit *hit, const prt__vo_event *e, int *mirrors) {
+    const prt_vo_object *o = &b->desc->objects[hit->object];
+    int group = prt__vo_group_of(b, hit), k;
+    prt__vo_sum *s = &b->sums[group];
+    double along = prt__ddot(e->dir, e->normal), side = along > 0 ? -1 : 1, mirror[3];
+    s->hits++;
+    prt__add_scaled(s->position, e->at, 1);
+    prt__add_scaled(s->direction, e->dir, 1);
+    if (!(b->off & PRT_VO_NO_DD)) prt__add_scaled(s->diffuse_normal, e->normal, side * prt__vo_open_at(b, hit));
+    if ((b->off & PRT__VO_MIRRORS) == PRT__VO_MIRRORS || !prt__rgb_any(o->specular)) return;
+    for (k = 0; k < 3; k++) {
+        mirror[k] = e->dir[k] - 2 * along * e->normal[k];
+        b->paths[*mirrors].normal[k] = side * e->normal[k];
+    }
+    b->paths[*mirrors].group = group;
+    b->next[(*mirrors)++] = prt__vo_ray_from(b, e->at, e->normal, side, mirror);
+}
+
+/* Traces `count` feeler rays of a point, whose directions stand in x, y, z, and all that follows from them. */
+PRT__STATIC prt_result prt__vo_feel(prt__vo_bake *b, prt_vec3 origin, int count) {
+    const prt_tracer *tracer = b->desc->tracer;
+    int k, mirrors = 0, bent = 0;
+    prt__vo_event e;
+    prt__vo_path path;
+    prt_result r;
+    for (k = 0; k < count; k++) {
+        b->rays[k].origin = origin;
+        b->rays[k].dir = prt__vec3(b->x[k], b->y[k], b->z[k]);
+        b->rays[k].tmin = 0;
+        b->rays[k].tmax = PRT__R(FLT_MAX);
+        b->hits[k].object = -1;
+    }
+    if (tracer->closest(tracer->user, count, b->rays, b->hits)) return PRT_ERR_TRACE;
+    for (k = 0; k < count; k++) {
+        if (b->hits[k].object < 0) continue;
+        if (!prt__vo_event_of(b, &b->rays[k], &b->hits[k], &e)) return PRT_ERR_TRACE;
+        prt__vo_add_hit(b, &b->hits[k], &e, &mirrors);
+    }
+    r = prt__vo_mirrors(b, mirrors);
+    if (r != PRT_OK || (b->off & PRT_VO_NO_CAUSTIC)) return r;
+    for (k = 0; k < count; k++) {
+        int object = b->hits[k].object;
+        if (object < 0 || !prt__rgb_any(b->desc->objects[object].transmissive)) continue;
+        prt__vo_event_of(b, &b->rays[k], &b->hits[k], &e);
+        path.group = prt__vo_group_of(b, &b->hits[k]);
+        path.through[0] = path.through[1] = path.through[2] = 1;
+        path.normal[0] = path.normal[1] = path.normal[2] = 0;
+        prt__vo_follow(b, bent++, object, &e, &path);
+    }
+    return prt__vo_caustics(b, bent);
+}
+
+/* ---- one point ---- */
+
+PRT__STATIC prt_vec3 prt__vo_unit(const double v[3]) {
+    double unit[3];
+    prt__normalise(v, unit);
+    return prt__from_doubles(unit);
+}
+PRT__STATIC prt_vec3 prt__vo_over(const double v[3], double count) {
+    double mean[3];
+    int k;
+    for (k = 0; k < 3; k++) mean[k] = v[k] / count;
+    return prt__from_doubles(mean);
+}
+
+PRT__STATIC prt_vo_occluder prt__vo_occluder_of(const prt__vo_bake *b, int group) {
+    const prt__vo_sum *s = &b->sums[group];
+    const prt_vo_object *o = &b->desc->objects[b->object_of[group]];
+    prt_vo_occluder out;
+    memset(&out, 0, sizeof out);
+    out.position = prt__vo_over(s->position, s->hits);
+    out.occlusion = prt__vo_unit(s->direction);
+    out.form_factor = (prt_real)(s->hits / b->samples);
+    if (!(b->off & PRT_VO_NO_DD)) {
+        out.diffuse = o->diffuse;
+        out.diffuse_normal = prt__vo_over(s->diffuse_normal, b->samples);
+    }
+    if ((b->off & PRT__VO_MIRRORS) != PRT__VO_MIRRORS) {
+        out.specular = o->specular;
+        out.specular_normal = prt__vo_over(s->specular_normal, b->samples);
+    }
+    if (b->off & PRT_VO_NO_CAUSTIC) {
+        out.transmissive = o->transmissive;
+    } else if (s->escaped > 0) {
+        out.caustic = prt__vo_unit(s->caustic);
+        out.caustic_factor = (prt_real)(s->escaped / b->samples);
+        out.transmissive.r = (prt_real)(s->through[0] / s->escaped);
+        out.transmissive.g = (prt_real)(s->through[1] / s->escaped);
+        out.transmissive.b = (prt_real)(s->through[2] / s->escaped);
+    }
+    return out;
+}
+
+/* Keeps the strongest occluders of a point; of equal ones the first in the scene. */
+PRT__STATIC void prt__vo_keep(prt__vo_bake *b, int point) {
+    prt_vo_row row;
+    prt_vo_occluder *out = b->occluders + (size_t)point * (size_t)b->keep;
+    double lost = 0;
+    int g, k;
+    memset(&row, 0, sizeof row);
+    for (g = 0; g < b->groups; g++) {
+        double hits = b->sums[g].hits;
+        if (!(hits > 0)) continue;
+        if (row.count == b->keep && !(hits > b->sums[b->order[b->keep - 1]].hits)) { row.dropped++; lost += hits; continue; }
+        if (hits / b->samples < (double)b->desc->least) { row.dropped++; lost += hits; continue; }
+        if (row.count == b->keep) { row.dropped++; lost += b->sums[b->order[b->keep - 1]].hits; }
+        else row.count++;
+        for (k = row.count - 1; k > 0 && hits > b->sums[b->order[k - 1]].hits; k--) b->order[k] = b->order[k - 1];
+        b->order[k] = g;
+    }
+    row.dropped_factor = (prt_real)(lost / b->samples);
+    b->rows[point] = row;
+    for (k = 0; k < row.count; k++) out[k] = prt__vo_occluder_of(b, b->order[k]);
+    if (k < b->keep) memset(out + k, 0, (size_t)(b->keep - k) * sizeof *out);
+}
+
+PRT__STATIC prt_result prt__vo_bake_point(prt__vo_bake *b, int point) {
+    const prt_point *p = &b->points[point];
+    prt__lattice lattice = prt__lattice_of(b->samples, b->desc->seed, (uint64_t)point);
+    prt__frame frame = prt__frame_about(p->normal);
+    int from, k;
+    if (b->groups > 0) memset(b->sums, 0, (size_t)b->groups * sizeof *b->sums);
+    for (from = 0; from < b->samples; from += PRT__VO_BATCH) {
+        int count = b->samples - from < PRT__VO_BATCH ? b->samples - from : (int)PRT__VO_BATCH;
+        prt_result r;
+        for (k = 0; k < count; k += PRT__BLOCK)
+            prt__cosine_block(&lattice, &b->steps, &frame, from + k, count - k < PRT__BLOCK ? count - k : (int)PRT__BLOCK,
+                              b->x + k, b->y + k, b->z + k);
+        r = prt__vo_feel(b, prt__bake_origin(b->bias, p), count);
+        if (r != PRT_OK) return r;
+    }
+    prt__vo_keep(b, point);
+    return PRT_OK;
+}
+
+PRTDEF prt_result prt_bake_vo(const prt_vo_desc *desc, int point_count, const prt_point *points, const prt_real *open,
+                              int first, int count, prt_vo_row *rows, prt_vo_occluder *occluders) {
+    prt__vo_bake b;
+    prt_result r = prt__vo_open(&b, desc, point_count, points, open, first, count, rows, occluders);
+    size_t size;
+    void *memory;
+    int k;
+    if (r != PRT_OK || count == 0) return r;
+    size = prt__vo_layout(&b, 0);
+    memory = PRT_MALLOC(size);
+    if (!memory) return PRT_ERR_MEMORY;
+    memset(memory, 0, size);
+    prt__vo_layout(&b, (unsigned char *)memory);
+    prt__steps_of_block(&b.steps);
+    prt__vo_list_groups(&b);
+    for (k = first; r == PRT_OK && k < first + count; k++) {
+        r = prt__vo_bake_point(&b, k);
+        if (r == PRT_OK && desc->progress && desc->progress(desc->progress_user, k - first + 1, count)) r = PRT_ERR_CANCELLED;
+    }
+    PRT_FREE(memory);
+    return r;
+}
+
+PRTDEF prt_result prt_vo_compact(int max_occluders, int point_count, const prt_vo_row *rows, prt_vo_occluder *occluders,
+                                 int *first) {
+    int keep = max_occluders ? max_occluders : (int)PRT__VO_OCCLUDERS, total = 0, k;
+    if (max_occluders < 0 || point_count < 0) return PRT_ERR_COUNT;
+    if (!first || (point_count > 0 && (!rows || !occluders))) return PRT_ERR_NULL;
+    for (k = 0; k < point_count; k++) {
+        if (rows[k].count < 0 || rows[k].count > keep) return PRT_ERR_COUNT;
+        if (rows[k].count > INT_MAX - total) return PRT_ERR_CAPACITY;
+        total += rows[k].count;
+    }
+    first[0] = 0;
+    for (k = 0; k < point_count; k++) {
+        if (rows[k].count > 0)
+            memmove(occluders + first[k], occluders + (size_t)k * (size_t)keep, (size_t)rows[k].count * sizeof *occluders);
+        first[k + 1] = first[k] + rows[k].count;
     }
     return PRT_OK;
 }

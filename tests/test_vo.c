@@ -1,0 +1,268 @@
+/* >>vo: shading from vector occluders against the formulas of the header in double, closed forms, limits, continuity,
+   bit equality of batches, bad input. */
+#define PRT_IMPLEMENTATION
+#include "prt.h"
+#include "test.h"
+#include <float.h>
+
+static const double pi = 3.14159265358979323846;
+
+/* ---- random scenes ---- */
+
+static uint32_t noise_state = 1;
+static double noise(void) {                                    /* [0,1) */
+    noise_state = noise_state * 1664525u + 1013904223u;
+    return (noise_state >> 8) / 16777216.0;
+}
+static prt_vec3 vec3(double x, double y, double z) {
+    prt_vec3 v;
+    v.x = (prt_real)x; v.y = (prt_real)y; v.z = (prt_real)z;
+    return v;
+}
+static prt_rgb rgb(double r, double g, double b) {
+    prt_rgb c;
+    c.r = (prt_real)r; c.g = (prt_real)g; c.b = (prt_real)b;
+    return c;
+}
+static prt_vec3 noise_unit(void) {
+    double z = 2 * noise() - 1, r = sqrt(1 - z * z), angle = 2 * pi * noise();
+    return vec3(r * cos(angle), r * sin(angle), z);
+}
+static prt_vec3 noise_place(double size) { return vec3(size * (noise() - .5), size * (noise() - .5), size * (noise() - .5)); }
+static prt_rgb noise_color(void) { double r = noise(), g = noise(); return rgb(r, g, noise()); }
+static prt_vec3 scaled(prt_vec3 v, double s) { return vec3(s * (double)v.x, s * (double)v.y, s * (double)v.z); }
+
+static prt_vo_point noise_point(void) {
+    prt_vo_point p;
+    p.position = noise_place(2); p.normal = noise_unit();
+    p.diffuse = noise_color(); p.specular = noise_color(); p.emissive = noise_color();
+    p.shininess = (prt_real)(1 + 9 * noise());
+    return p;
+}
+static prt_vo_occluder noise_occluder(void) {
+    prt_vo_occluder o;
+    o.position = noise_place(6); o.occlusion = noise_unit(); o.caustic = noise_unit();
+    o.transmissive = noise_color();
+    o.diffuse_normal = scaled(noise_unit(), noise()); o.specular_normal = scaled(noise_unit(), noise());
+    o.diffuse = noise_color(); o.specular = noise_color();
+    o.form_factor = (prt_real)noise(); o.caustic_factor = (prt_real)noise();
+    if (noise() < .5) o.transmissive = rgb(0, 0, 0);
+    return o;
+}
+static prt_point_light noise_light(void) {
+    prt_point_light l;
+    l.position = noise_place(20); l.color = noise_color();
+    return l;
+}
+
+/* ---- the model, as written in the header, in double ---- */
+
+typedef struct v3 { double c[3]; } v3;
+static v3 d3(prt_vec3 v) { v3 r; r.c[0] = (double)v.x; r.c[1] = (double)v.y; r.c[2] = (double)v.z; return r; }
+static v3 c3(prt_rgb v) { v3 r; r.c[0] = (double)v.r; r.c[1] = (double)v.g; r.c[2] = (double)v.b; return r; }
+static double dot3(v3 a, v3 b) { return a.c[0] * b.c[0] + a.c[1] * b.c[1] + a.c[2] * b.c[2]; }
+static v3 minus(v3 a, v3 b) { int k; for (k = 0; k < 3; k++) a.c[k] -= b.c[k]; return a; }
+static v3 unit(v3 a) {
+    double length = sqrt(dot3(a, a));
+    int k;
+    for (k = 0; k < 3; k++) a.c[k] = length > 0 ? a.c[k] / length : 0;
+    return a;
+}
+static v3 mirrored(v3 a, v3 n) {
+    double along = 2 * dot3(a, n);
+    int k;
+    for (k = 0; k < 3; k++) a.c[k] -= along * n.c[k];
+    return a;
+}
+static double positive(double v) { return v > 0 ? v : 0; }
+static v3 cross(v3 a, v3 b) {
+    v3 r;
+    int k;
+    for (k = 0; k < 3; k++) r.c[k] = a.c[(k + 1) % 3] * b.c[(k + 2) % 3] - a.c[(k + 2) % 3] * b.c[(k + 1) % 3];
+    return r;
+}
+static double sine2(v3 d, v3 l) { return dot3(d, l) <= 0 ? 1 : dot3(cross(d, l), cross(d, l)) / dot3(d, d); }
+static double or_default(prt_real v, double standard) { return (double)v != 0 ? (double)v : standard; }
+
+/* steep: by how much the result changes, relatively, for a change of the directions (and of F/cosine) by 1. */
+static double model_block(const prt_vo_params *q, const prt_vo_point *p, const prt_vo_occluder *o, v3 l, double *steep) {
+    double f = (double)o->form_factor, cosine = dot3(d3(p->normal), d3(o->occlusion)), cap, light, least, apart, u, area, s;
+    *steep = 0;
+    if ((q->off & PRT_VO_NO_SHADOW) || !(dot3(d3(o->occlusion), d3(o->occlusion)) > 0) || !(f > 0)) return 1;
+    s = sine2(d3(o->occlusion), l);
+    *steep = 2 * or_default(q->shadow_strength, 1.5) * f / sqrt(s);
+    if (q->law != PRT_VO_CAP) return pow(s, or_default(q->shadow_strength, 1.5) * f);
+    s = f < cosine ? f / cosine : 1;
+    cap = 2 * sin(asin(sqrt(s)) / 2);
+    light = 2 * sin(or_default(q->light_angle, pi / 36) / 2);
+    least = cap < light ? cap : light;
+    apart = sqrt(dot3(minus(d3(o->occlusion), l), minus(d3(o->occlusion), l)));
+    u = (cap + light - apart) / (2 * least);
+    u = u < 0 ? 0 : u > 1 ? 1 : u;
+    *steep = s < 1 ? 6 * u * (1 - u) / least / sqrt(1 - s) : 6 * u * (1 - u) / least;
+    area = cap < light ? cap * cap / (light * light) : 1;
+    *steep /= 1 - area * u * u * (3 - 2 * u) + 1e-9;
+    return 1 - area * u * u * (3 - 2 * u);
+}
+static double model_focus(const prt_vo_params *q, const prt_vo_occluder *o, v3 l, double *steep) {
+    double s0 = sin(or_default(q->caustic_angle, pi / 180)), s = sine2(d3(o->caustic), l), f = (double)o->caustic_factor;
+    *steep = 0;
+    if ((q->off & PRT_VO_NO_CAUSTIC) || !(dot3(d3(o->caustic), d3(o->caustic)) > 0) || !(f > 0)) return 1;
+    *steep = 2 * or_default(q->caustic_strength, .5) * f / sqrt(s > s0 * s0 ? s : s0 * s0);
+    return pow(s > s0 * s0 ? s : s0 * s0, -or_default(q->caustic_strength, .5) * f);
+}
+
+/* The exit radiance, and in size[] the sum of the magnitudes of all terms, direct light times (1 + steepness of factors). */
+static v3 model(const prt_vo_params *q, const prt_vo_point *p, prt_vec3 eye, int occluders, const prt_vo_occluder *o,
+                int lights, const prt_point_light *light, v3 *size) {
+    v3 x = d3(p->position), n = d3(p->normal), r = mirrored(unit(minus(x, d3(eye))), n), out = c3(p->emissive);
+    double gloss = or_default(q->gloss, 8), dd = or_default(q->dd, 1), ds = or_default(q->ds, 1), ss = or_default(q->ss, 1);
+    int j, k, c;
+    *size = out;
+    for (j = 0; j < lights; j++) {
+        v3 l = unit(minus(d3(light[j].position), x)), color = c3(light[j].color), factor;
+        double steep = 1, one;
+        for (c = 0; c < 3; c++) factor.c[c] = 1;
+        for (k = 0; k < occluders; k++) {
+            v3 lp = unit(minus(d3(light[j].position), d3(o[k].position))), v = unit(minus(d3(o[k].position), x));
+            double specular = sqrt(dot3(d3(o[k].specular_normal), d3(o[k].specular_normal)));
+            v3 ns = unit(d3(o[k].specular_normal));
+            double block = model_block(q, p, &o[k], l, &one), focus;
+            double to_dd = q->off & PRT_VO_NO_DD ? 0 : dd * positive(dot3(d3(o[k].diffuse_normal), lp));
+            double to_ds = q->off & PRT_VO_NO_DS ? 0 : ds * specular * pow(positive(dot3(mirrored(v, ns), lp)), gloss);
+            double to_ss = q->off & PRT_VO_NO_SS || !(dot3(n, v) > 0) ? 0
+                         : ss * specular * positive(dot3(r, v)) * pow(positive(dot3(mirrored(r, ns), lp)), gloss);
+            steep += one;
+            focus = model_focus(q, &o[k], l, &one);
+            steep += one;
+            for (c = 0; c < 3; c++) {
+                double t = c3(o[k].transmissive).c[c], own = c3(p->diffuse).c[c], shiny = c3(p->specular).c[c];
+                double terms = color.c[c] * (c3(o[k].diffuse).c[c] * own * to_dd + c3(o[k].specular).c[c] *
+                               (own * to_ds + shiny * to_ss));
+                factor.c[c] *= (1 - t) * block + t * focus;
+                out.c[c] += terms;
+                size->c[c] += fabs(terms);
+            }
+        }
+        for (c = 0; c < 3; c++) {
+            double direct = c3(p->diffuse).c[c] * positive(dot3(n, l)) +
+                            c3(p->specular).c[c] * pow(positive(dot3(r, l)), (double)p->shininess);
+            out.c[c] += color.c[c] * direct * factor.c[c];
+            size->c[c] += color.c[c] * direct * factor.c[c] * steep;
+        }
+    }
+    for (c = 0; c < 3; c++) out.c[c] = positive(out.c[c]);
+    return out;
+}
+
+static double worst_error(prt_rgb got, v3 want, v3 size) {     /* in eps of the sum of magnitudes */
+    v3 g = c3(got);
+    double worst = 0;
+    int c;
+    for (c = 0; c < 3; c++) {
+        double e = fabs(g.c[c] - want.c[c]) / ((double)PRT__EPS * (size.c[c] + 1e-30));
+        if (!(e <= worst)) worst = e;
+    }
+    return worst;
+}
+
+enum { OCCLUDERS = 6, LIGHTS = 19, POINTS = 83 };
+
+typedef struct scene {
+    prt_vo_params params;
+    prt_vec3 eye;
+    prt_vo_point points[POINTS];
+    int first[POINTS + 1];
+    prt_vo_occluder occluders[POINTS * OCCLUDERS];
+    prt_point_light lights[LIGHTS];
+} scene;
+
+static void noise_scene(scene *s) {
+    int k;
+    memset(s, 0, sizeof *s);
+    s->eye = noise_place(30);
+    for (k = 0; k < LIGHTS; k++) s->lights[k] = noise_light();
+    for (k = 0; k < POINTS; k++) {
+        s->points[k] = noise_point();
+        s->first[k + 1] = s->first[k] + (int)(noise() * (OCCLUDERS + 1));
+    }
+    for (k = 0; k < s->first[POINTS]; k++) s->occluders[k] = noise_occluder();
+}
+
+static const unsigned all_off[] = { 0, PRT_VO_NO_SHADOW, PRT_VO_NO_CAUSTIC, PRT_VO_NO_DD, PRT_VO_NO_DS, PRT_VO_NO_SS,
+    PRT_VO_NO_CAUSTIC | PRT_VO_NO_DS | PRT_VO_NO_SS, PRT_VO_NO_DD | PRT_VO_NO_DS | PRT_VO_NO_SS, 31 };
+
+/* Both forms, both laws, each term switched off, other parameters, numbers of lights around the block size. */
+static void shading_is_the_model(void **state) {
+    static const int light_counts[] = { 0, 1, 3, 7, 8, 9, 16, 19 };
+    static prt_rgb out[POINTS], one;
+    static scene s;
+    double worst = 0, worst_n = 0;
+    int k, set;
+    (void)state;
+    for (set = 0; set < 48; set++) {
+        int lights = light_counts[set % 8];
+        noise_scene(&s);
+        s.params.off = all_off[set % 9];
+        s.params.law = set % 2;
+        if (set % 5 == 1) { s.params.dd = (prt_real)-.5; s.params.ds = 2; s.params.ss = (prt_real).25; }
+        if (set % 5 == 2) { s.params.gloss = (prt_real)3.5; s.params.shadow_strength = 4; s.params.caustic_strength = 1; }
+        if (set % 5 == 3) { s.params.gloss = 13; s.params.caustic_angle = (prt_real).2; s.params.light_angle = (prt_real).4; }
+        assert_int_equal(prt_vo_shade_n(&s.params, POINTS, s.points, s.eye, s.first, s.occluders, lights, s.lights, out), PRT_OK);
+        for (k = 0; k < POINTS; k++) {
+            const prt_vo_occluder *o = s.occluders + s.first[k];
+            int count = s.first[k + 1] - s.first[k];
+            v3 size, want = model(&s.params, &s.points[k], s.eye, count, o, lights, s.lights, &size);
+            double e;
+            assert_int_equal(prt_vo_shade(&s.params, &s.points[k], s.eye, count, o, lights, s.lights, &one), PRT_OK);
+            e = worst_error(one, want, size);
+            if (!(e <= worst)) worst = e;
+            e = worst_error(out[k], want, size);
+            if (!(e <= worst_n)) worst_n = e;
+        }
+    }
+    printf("largest error in eps of the sum of |terms|: %.1f one by one, %.1f in batches\n", worst, worst_n);
+    assert_at_most(worst, 32);
+    assert_at_most(worst_n, 32);
+}
+
+static void bad_arguments(void **state) {
+    static scene s;
+    static const int falling[] = { 0, 2, 1 }, negative[] = { -1, 2, 2 };
+    prt_rgb out[2], untouched[2];
+    const prt_vo_params *q = &s.params;
+    (void)state;
+    noise_scene(&s);
+    memset(out, 7, sizeof out);
+    memcpy(untouched, out, sizeof out);
+    assert_int_equal(prt_vo_shade(q, s.points, s.eye, -1, s.occluders, 1, s.lights, out), PRT_ERR_COUNT);
+    assert_int_equal(prt_vo_shade(q, s.points, s.eye, 1, s.occluders, -1, s.lights, out), PRT_ERR_COUNT);
+    assert_int_equal(prt_vo_shade(NULL, s.points, s.eye, 1, s.occluders, 1, s.lights, out), PRT_ERR_NULL);
+    assert_int_equal(prt_vo_shade(q, NULL, s.eye, 1, s.occluders, 1, s.lights, out), PRT_ERR_NULL);
+    assert_int_equal(prt_vo_shade(q, s.points, s.eye, 1, NULL, 1, s.lights, out), PRT_ERR_NULL);
+    assert_int_equal(prt_vo_shade(q, s.points, s.eye, 1, s.occluders, 1, NULL, out), PRT_ERR_NULL);
+    assert_int_equal(prt_vo_shade(q, s.points, s.eye, 1, s.occluders, 1, s.lights, NULL), PRT_ERR_NULL);
+    assert_int_equal(prt_vo_shade_n(q, -1, s.points, s.eye, s.first, s.occluders, 1, s.lights, out), PRT_ERR_COUNT);
+    assert_int_equal(prt_vo_shade_n(q, 2, s.points, s.eye, s.first, s.occluders, -1, s.lights, out), PRT_ERR_COUNT);
+    assert_int_equal(prt_vo_shade_n(q, 2, s.points, s.eye, falling, s.occluders, 1, s.lights, out), PRT_ERR_COUNT);
+    assert_int_equal(prt_vo_shade_n(q, 2, s.points, s.eye, negative, s.occluders, 1, s.lights, out), PRT_ERR_COUNT);
+    assert_int_equal(prt_vo_shade_n(NULL, 2, s.points, s.eye, s.first, s.occluders, 1, s.lights, out), PRT_ERR_NULL);
+    assert_int_equal(prt_vo_shade_n(q, 2, NULL, s.eye, s.first, s.occluders, 1, s.lights, out), PRT_ERR_NULL);
+    assert_int_equal(prt_vo_shade_n(q, 2, s.points, s.eye, NULL, s.occluders, 1, s.lights, out), PRT_ERR_NULL);
+    s.first[1] = 1; s.first[2] = 3;
+    assert_int_equal(prt_vo_shade_n(q, 2, s.points, s.eye, s.first, NULL, 1, s.lights, out), PRT_ERR_NULL);
+    assert_int_equal(prt_vo_shade_n(q, 2, s.points, s.eye, s.first, s.occluders, 1, NULL, out), PRT_ERR_NULL);
+    assert_int_equal(prt_vo_shade_n(q, 2, s.points, s.eye, s.first, s.occluders, 1, s.lights, NULL), PRT_ERR_NULL);
+    assert_memory_equal(out, untouched, sizeof out);
+    assert_int_equal(prt_vo_shade(q, s.points, s.eye, 0, NULL, 0, NULL, out), PRT_OK);
+    assert_memory_equal(out, &s.points[0].emissive, sizeof *out);
+    assert_int_equal(prt_vo_shade_n(q, 0, NULL, s.eye, NULL, NULL, 0, NULL, NULL), PRT_OK);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(shading_is_the_model),
+        cmocka_unit_test(bad_arguments),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
