@@ -235,3 +235,13 @@ int canvas_write_png(const canvas *c, const char *path, why *w) {
     }
     return replacement_commit(&r, w);
 }
+
+int canvas_write_jpg(const canvas *c, const char *path, why *w) {
+    replacement r;
+    if (replacement_open(path, &r, w)) return -1;
+    if (!stbi_write_jpg_to_func(write_part, &r, c->width, c->height, 3, c->rgb, 92)) {
+        replacement_abandon(&r);
+        return why_set(w, "%s: out of memory", path);
+    }
+    return replacement_commit(&r, w);
+}

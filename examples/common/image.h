@@ -28,6 +28,7 @@ typedef struct canvas { int width, height; unsigned char *rgb; } canvas;
 int  canvas_create(int width, int height, canvas *c, why *w);
 void canvas_free(canvas *c);
 int  canvas_write_png(const canvas *c, const char *path, why *w);
+int  canvas_write_jpg(const canvas *c, const char *path, why *w);    /* quality 92 */
 
 /* A rendered picture in linear radiance, rows from the top: width x height samples, so many to a pixel as the caller
    wants. alpha is 1 where the sample shows a surface, 0 where it shows the background. */

@@ -1,0 +1,335 @@
+#define _POSIX_C_SOURCE 200809L
+#include "techniques.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "bake_job.h"
+#include "parallel.h"
+#include "progress.h"
+#include "vector.h"
+
+const char *const technique_names[TECHNIQUE_COUNT] = {
+    "Phong", "AO", "VO/DD", "VO/DD+DS+SS", "VO/DD+DS+SS, cap law", "SH3", "SH6", "CH3", "CH6"
+};
+
+enum { EVERYTHING = PRT_VO_NO_SHADOW | PRT_VO_NO_CAUSTIC | PRT_VO_NO_DD | PRT_VO_NO_DS | PRT_VO_NO_SS };
+
+/* ---- setting up ---- */
+
+static prt_vo_point shaded_point(const scene *s, int k) {
+    const material *m = &s->parts[scene_part_of_point(s, k)].material;
+    prt_vo_point p;
+    memset(&p, 0, sizeof p);
+    p.position = s->mesh.points[k].position;
+    p.normal = s->mesh.points[k].normal;
+    p.diffuse = m->diffuse;
+    p.specular = m->specular;
+    p.shininess = m->shininess;
+    return p;
+}
+
+static void describe_parts(techniques *t) {
+    const scene *s = t->scene;
+    int k;
+    for (k = 0; k < s->part_count; k++) {
+        prt_vo_object *o = &t->objects[k];
+        memset(o, 0, sizeof *o);
+        o->diffuse = s->parts[k].material.diffuse;
+        o->specular = s->parts[k].material.specular;
+        o->transmissive = s->parts[k].material.transmissive;
+        o->refraction = s->parts[k].material.index;
+        o->primitive_count = s->parts[k].triangle_count;
+        o->group_count = 1;
+        o->triangles = s->mesh.triangles + 3 * (size_t)s->parts[k].first_triangle;
+    }
+    t->group_count = s->part_count;
+}
+
+static int allocate(techniques *t, why *w) {
+    size_t points = (size_t)t->scene->mesh.point_count;
+    int k;
+    t->points = (prt_vo_point *)malloc(points * sizeof *t->points);
+    t->open = (prt_real *)malloc(points * sizeof *t->open);
+    t->rows = (prt_vo_row *)malloc(points * sizeof *t->rows);
+    t->first = (int *)malloc((points + 1) * sizeof *t->first);
+    t->occluders = (prt_vo_occluder *)malloc(prt_bake_vo_size(t->most_occluders, t->scene->mesh.point_count));
+    for (k = 0; k < TECHNIQUES_SH && t->with_sh; k++) {
+        size_t row = 3 * (size_t)PRT_SH_COUNT(techniques_bands[k]) * sizeof(prt_real);
+        t->transfer[k] = (prt_real *)malloc(points * row);
+        t->moments[k] = (prt_real *)malloc(points * row);
+        if (!t->transfer[k] || !t->moments[k]) return why_set(w, "out of memory for transfer");
+    }
+    return t->points && t->open && t->rows && t->first && t->occluders ? 0 : why_set(w, "out of memory for occluders");
+}
+
+void techniques_free(techniques *t) {
+    int k;
+    free(t->points);
+    free(t->open);
+    free(t->rows);
+    free(t->first);
+    free(t->occluders);
+    free(t->groups);
+    for (k = 0; k < TECHNIQUES_SH; k++) {
+        free(t->transfer[k]);
+        free(t->moments[k]);
+    }
+    memset(t, 0, sizeof *t);
+}
+
+/* ---- bakes ---- */
+
+/* Runs a job over the vertices; *seconds is processor time. Interrupted: -1. */
+static int run_job(const techniques *t, const char *what, int (*work)(void *, void *, int, int), void *user,
+                   double *seconds, why *w) {
+    double before = processor_seconds();
+    parallel job;
+    memset(&job, 0, sizeof job);
+    job.count = t->scene->mesh.point_count;
+    job.chunk = 32;
+    job.threads = t->threads;
+    job.what = what;
+    job.unit = "rays";
+    job.unit_per_item = t->rays;
+    job.stop = t->stop;
+    job.work = work;
+    job.user = user;
+    if (parallel_run(&job, w)) return -1;
+    *seconds = processor_seconds() - before;
+    return job.done == job.count ? 0 : why_set(w, "%s: interrupted", what);
+}
+
+static prt_vo_desc vo_desc(const techniques *t) {
+    prt_vo_desc d;
+    memset(&d, 0, sizeof d);
+    d.samples = t->rays;
+    d.max_occluders = t->most_occluders;
+    d.bias = t->bias;
+    d.object_count = t->scene->part_count;
+    d.objects = t->objects;
+    d.tracer = &t->tracer->tracer;
+    d.off = t->shining ? 0 : PRT_VO_NO_DS | PRT_VO_NO_SS;
+    return d;
+}
+
+static int bake_open(void *user, void *own, int first, int count) {
+    techniques *t = (techniques *)user;
+    prt_vo_desc d = vo_desc(t);
+    (void)own;
+    return prt_bake_vo_ao(&d, t->scene->mesh.point_count, t->scene->mesh.points, first, count, t->open) != PRT_OK;
+}
+
+static int bake_occluders(void *user, void *own, int first, int count) {
+    techniques *t = (techniques *)user;
+    prt_vo_desc d = vo_desc(t);
+    (void)own;
+    return prt_bake_vo(&d, t->scene->mesh.point_count, t->scene->mesh.points, t->open, first, count, t->rows,
+                       t->occluders) != PRT_OK;
+}
+
+static int bake_vo(techniques *t, why *w) {
+    int points = t->scene->mesh.point_count, k;
+    if (run_job(t, "bake: ambient occlusion", bake_open, t, &t->ao_seconds, w)) return -1;
+    if (t->shining) {                                      /* once without the specular terms, for its time */
+        t->shining = 0;
+        k = run_job(t, "bake: occluders, diffuse", bake_occluders, t, &t->vo_dd_seconds, w);
+        t->shining = 1;
+        if (k) return -1;
+    }
+    if (run_job(t, "bake: occluders", bake_occluders, t, &t->vo_seconds, w)) return -1;
+    if (!t->shining) t->vo_dd_seconds = t->vo_seconds;
+    t->dropped = 0;
+    for (k = 0; k < points; k++) t->dropped += t->rows[k].dropped;
+    if (prt_vo_compact(t->most_occluders, points, t->rows, t->occluders, t->first) != PRT_OK)
+        return why_set(w, "the occluders do not fit into one array");
+    t->occluder_count = t->first[points];
+    return 0;
+}
+
+/* The second pass of transfer: what the parts that a vertex sees send on, of their own transfer without bounce. */
+typedef struct bounce { const techniques *t; int bands; const prt_real *direct; prt_real *out; } bounce;
+
+enum { BATCH = 512, MOST_COEFFICIENTS = 64 };
+
+static void gather(const bounce *b, const prt_hit *h, prt_real sums[SCENE_PARTS][MOST_COEFFICIENTS]) {
+    const scene *s = b->t->scene;
+    size_t n = (size_t)PRT_SH_COUNT(b->bands), i;
+    const uint32_t *corner = s->mesh.triangles + 3 * (size_t)scene_triangle(s, h);
+    const prt_real *p = b->direct + n * corner[0], *q = b->direct + n * corner[1], *r = b->direct + n * corner[2];
+    prt_real u = h->u, v = h->v, w = 1 - u - v;
+    for (i = 0; i < n; i++) sums[h->object][i] += w * p[i] + u * q[i] + v * r[i];
+}
+
+static int bounce_vertex(const bounce *b, int k) {
+    const techniques *t = b->t;
+    const prt_point *at = &t->scene->mesh.points[k];
+    prt_real sums[SCENE_PARTS][MOST_COEFFICIENTS];
+    prt_vec3 dirs[BATCH];
+    prt_ray rays[BATCH];
+    prt_hit hits[BATCH];
+    int n = PRT_SH_COUNT(b->bands), first, count, i, j;
+    memset(sums, 0, sizeof sums);
+    for (first = 0; first < t->rays; first += count) {
+        count = t->rays - first < BATCH ? t->rays - first : BATCH;
+        if (prt_sample_directions(t->rays, 1, (uint64_t)k, at->normal, first, count, dirs) != PRT_OK) return -1;
+        for (i = 0; i < count; i++) {
+            rays[i].origin = vec_add(at->position, t->bias, at->normal);
+            rays[i].dir = dirs[i];
+            rays[i].tmin = 0;
+            rays[i].tmax = (prt_real)1e6;
+        }
+        if (t->tracer->tracer.closest(t->tracer->tracer.user, count, rays, hits)) return -1;
+        for (i = 0; i < count; i++) if (hits[i].object >= 0) gather(b, &hits[i], sums);
+    }
+    for (i = 0; i < n; i++) {
+        prt_real *out = b->out + 3 * (size_t)n * (size_t)k + i, own = b->direct[(size_t)n * (size_t)k + (size_t)i];
+        out[0] = out[n] = out[2 * n] = own;
+        for (j = 0; j < t->scene->part_count; j++) {
+            prt_rgb albedo = t->scene->parts[j].material.diffuse;
+            out[0] += albedo.r * sums[j][i] / (prt_real)t->rays;
+            out[n] += albedo.g * sums[j][i] / (prt_real)t->rays;
+            out[2 * n] += albedo.b * sums[j][i] / (prt_real)t->rays;
+        }
+    }
+    return 0;
+}
+
+static int bounce_range(void *user, void *own, int first, int count) {
+    int k;
+    (void)own;
+    for (k = first; k < first + count; k++) if (bounce_vertex((const bounce *)user, k)) return -1;
+    return 0;
+}
+
+static int bake_direct(const techniques *t, int bands, prt_real *transfer, double *seconds, why *w) {
+    double before = processor_seconds();
+    bake_job job;
+    prt_result result;
+    memset(&job, 0, sizeof job);
+    job.desc.bands = bands;
+    job.desc.samples = t->rays;
+    job.desc.bias = t->bias;
+    job.desc.tracer = &t->tracer->tracer;
+    job.point_count = t->scene->mesh.point_count;
+    job.points = t->scene->mesh.points;
+    job.threads = t->threads;
+    job.what = "bake: transfer";
+    job.stop = t->stop;
+    job.transfer = transfer;
+    job.done = (unsigned char *)calloc((size_t)job.point_count, 1);
+    if (!job.done) return why_set(w, "out of memory");
+    result = bake_job_run(&job);
+    free(job.done);
+    *seconds = processor_seconds() - before;
+    return result == PRT_OK ? 0 : why_set(w, "bake: transfer: %s", prt_result_string(result));
+}
+
+/* The same transfer as inner products with CH, which the thesis dots in the place of coefficients. */
+static double make_moments(const techniques *t, int k) {
+    double before = processor_seconds();
+    size_t n = (size_t)PRT_SH_COUNT(techniques_bands[k]), rows = 3 * (size_t)t->scene->mesh.point_count, i;
+    for (i = 0; i < rows; i++) {
+        prt_real ch[MOST_COEFFICIENTS];
+        prt_ch_from_sh(techniques_bands[k], t->transfer[k] + i * n, ch);
+        prt_ch_to_moments(techniques_bands[k], ch, t->moments[k] + i * n);
+    }
+    return processor_seconds() - before;
+}
+
+static int bake_sh(techniques *t, int k, why *w) {
+    size_t n = (size_t)PRT_SH_COUNT(techniques_bands[k]);
+    prt_real *direct = (prt_real *)malloc((size_t)t->scene->mesh.point_count * n * sizeof *direct);
+    bounce b;
+    int failed;
+    if (!direct) return why_set(w, "out of memory for transfer");
+    b.t = t;
+    b.bands = techniques_bands[k];
+    b.direct = direct;
+    b.out = t->transfer[k];
+    failed = bake_direct(t, b.bands, direct, &t->sh_seconds[k][0], w) ||
+             run_job(t, "bake: transfer of one bounce", bounce_range, &b, &t->sh_seconds[k][1], w);
+    free(direct);
+    if (failed) return -1;
+    t->ch_seconds[k] = make_moments(t, k);
+    return 0;
+}
+
+int techniques_bake(techniques *t, why *w) {
+    int k;
+    describe_parts(t);
+    if (allocate(t, w)) return -1;
+    for (k = 0; k < t->scene->mesh.point_count; k++) t->points[k] = shaded_point(t->scene, k);
+    if (bake_vo(t, w)) return -1;
+    for (k = 0; k < TECHNIQUES_SH && t->with_sh; k++) if (bake_sh(t, k, w)) return -1;
+    return 0;
+}
+
+/* ---- shading ---- */
+
+static int sh_of(technique which) { return which == TECHNIQUE_SH6 || which == TECHNIQUE_CH6; }
+static int is_ch(technique which) { return which == TECHNIQUE_CH3 || which == TECHNIQUE_CH6; }
+
+/* Point lights as deltas of irradiance pi c in their directions from the centre: three planes of inner products. */
+static void project_lights(technique which, prt_vec3 centre, int light_count, const prt_point_light *lights, prt_real *light) {
+    int bands = techniques_bands[sh_of(which)], n = PRT_SH_COUNT(bands), k, i;
+    memset(light, 0, 3 * (size_t)n * sizeof *light);
+    for (k = 0; k < light_count; k++) {
+        prt_vec3 dir = vec_unit(vec_add(lights[k].position, -1, centre), vec(0, 0, 1));
+        prt_rgb c = rgb_scale(lights[k].color, 3.14159265358979323846);
+        prt_real y[MOST_COEFFICIENTS];
+        if (is_ch(which)) prt_ch_eval(bands, dir, y); else prt_sh_delta(bands, dir, y);
+        for (i = 0; i < n; i++) {
+            light[i] += c.r * y[i];
+            light[n + i] += c.g * y[i];
+            light[2 * n + i] += c.b * y[i];
+        }
+    }
+}
+
+static void shade_sh(const techniques *t, technique which, prt_vec3 centre, int light_count, const prt_point_light *lights,
+                     prt_rgb *out) {
+    int bands = techniques_bands[sh_of(which)], n = PRT_SH_COUNT(bands), k;
+    const prt_real *row = is_ch(which) ? t->moments[sh_of(which)] : t->transfer[sh_of(which)];
+    prt_real light[3 * MOST_COEFFICIENTS];
+    project_lights(which, centre, light_count, lights, light);
+    for (k = 0; k < t->scene->mesh.point_count; k++, row += 3 * n) {
+        prt_rgb sum;
+        sum.r = prt_sh_dot(bands, row, light);
+        sum.g = prt_sh_dot(bands, row + n, light + n);
+        sum.b = prt_sh_dot(bands, row + 2 * n, light + 2 * n);
+        out[k] = rgb_times(sum, t->points[k].diffuse);
+    }
+}
+
+static prt_vo_params params_of(technique which) {
+    prt_vo_params p;
+    memset(&p, 0, sizeof p);
+    if (which == TECHNIQUE_PHONG || which == TECHNIQUE_AO) p.off = EVERYTHING;
+    if (which == TECHNIQUE_VO_DD) p.off = PRT_VO_NO_DS | PRT_VO_NO_SS;
+    if (which == TECHNIQUE_VO_CAP) p.law = PRT_VO_CAP;
+    return p;
+}
+
+static int shade_vo(const techniques *t, technique which, prt_vec3 eye, int light_count, const prt_point_light *lights,
+                    prt_rgb *out, why *w) {
+    prt_vo_params p = params_of(which);
+    int points = t->scene->mesh.point_count, k, alone = p.off == EVERYTHING;
+    int *nobody = alone ? (int *)calloc((size_t)points + 1, sizeof *nobody) : NULL;
+    prt_result result;
+    if (alone && !nobody) return why_set(w, "out of memory");
+    p.off |= prt_vo_unneeded(t->scene->part_count, t->objects);
+    result = prt_vo_shade_n(&p, points, t->points, eye, alone ? nobody : t->first, t->occluders, light_count, lights, out);
+    for (k = 0; k < points && which == TECHNIQUE_AO; k++) out[k] = rgb_scale(out[k], (double)t->open[k]);
+    free(nobody);
+    return result == PRT_OK ? 0 : why_set(w, "shading: %s", prt_result_string(result));
+}
+
+int techniques_shade(const techniques *t, technique which, prt_vec3 eye, prt_vec3 centre, int light_count,
+                     const prt_point_light *lights, prt_rgb *out, double *seconds, why *w) {
+    double before = processor_seconds();
+    if (which >= TECHNIQUE_SH3) shade_sh(t, which, centre, light_count, lights, out);
+    else if (shade_vo(t, which, eye, light_count, lights, out, w)) return -1;
+    if (seconds) *seconds = processor_seconds() - before;
+    return 0;
+}

@@ -1,0 +1,41 @@
+/* vector: the little algebra of three numbers that scenes and tracers need. */
+#ifndef EXAMPLES_VECTOR_H
+#define EXAMPLES_VECTOR_H
+
+#include <math.h>
+
+#include "prt.h"
+
+static const double pi = 3.14159265358979323846;
+
+static inline prt_vec3 vec(double x, double y, double z) {
+    prt_vec3 v;
+    v.x = (prt_real)x; v.y = (prt_real)y; v.z = (prt_real)z;
+    return v;
+}
+static inline prt_rgb rgb(double r, double g, double b) {
+    prt_rgb c;
+    c.r = (prt_real)r; c.g = (prt_real)g; c.b = (prt_real)b;
+    return c;
+}
+static inline double vec_dot(prt_vec3 a, prt_vec3 b) {
+    return (double)a.x * (double)b.x + (double)a.y * (double)b.y + (double)a.z * (double)b.z;
+}
+/* a + s b */
+static inline prt_vec3 vec_add(prt_vec3 a, prt_real s, prt_vec3 b) {
+    a.x += s * b.x; a.y += s * b.y; a.z += s * b.z;
+    return a;
+}
+/* v / |v|, or `otherwise` where v has no length. */
+static inline prt_vec3 vec_unit(prt_vec3 v, prt_vec3 otherwise) {
+    double length = sqrt(vec_dot(v, v));
+    return length > 0 ? vec((double)v.x / length, (double)v.y / length, (double)v.z / length) : otherwise;
+}
+/* d reflected about the plane with unit normal n. */
+static inline prt_vec3 vec_reflect(prt_vec3 d, prt_vec3 n) { return vec_add(d, (prt_real)(-2 * vec_dot(d, n)), n); }
+
+static inline prt_rgb rgb_times(prt_rgb a, prt_rgb b) { return rgb((double)(a.r * b.r), (double)(a.g * b.g), (double)(a.b * b.b)); }
+static inline prt_rgb rgb_scale(prt_rgb a, double s) { return rgb(s * (double)a.r, s * (double)a.g, s * (double)a.b); }
+static inline double  rgb_mean(prt_rgb c) { return ((double)c.r + (double)c.g + (double)c.b) / 3; }
+
+#endif
