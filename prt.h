@@ -792,6 +792,15 @@ extern "C" {
 #  define PRT__LANES 1
 #endif
 
+/* Before a loop of few steps, known when it is compiled: gcc -O2 would leave it rolled, and its arrays in memory. */
+#if defined(__clang__)
+#  define PRT__UNROLL _Pragma("unroll")
+#elif defined(__GNUC__) && __GNUC__ >= 8
+#  define PRT__UNROLL _Pragma("GCC unroll 16")
+#else
+#  define PRT__UNROLL
+#endif
+
 #define PRT__PI 3.14159265358979323846264338327950288
 #define PRT__SQRT2 1.41421356237309504880168872420969808
 #define PRT__R(v) ((prt_real)(v))                          /* a double constant as a prt_real */
@@ -2600,22 +2609,40 @@ PRT__INLINE prt__entry prt__entry_of(prt_real m) { return m; }
 #endif
 enum { PRT__ENTRY_BANDS = 8, PRT__ENTRIES = PRT__ENTRY_BANDS * (4 * PRT__ENTRY_BANDS * PRT__ENTRY_BANDS - 1) / 3 };
 
-/* out = M x for one block in all lanes; step: between coefficients. With size known the input stays in registers. */
-PRT__INLINE void prt__block_lanes(int size, const prt__entry *m, const prt_real *x, prt_real *out, int step) {
-    prt__vec v[2 * PRT__ENTRY_BANDS - 1];
+/* Four rows of M x or fewer in all lanes, side by side: no sum waits for another. */
+PRT__INLINE void prt__block_rows(int rows, int size, const prt__entry *m, const prt__vec *v, prt_real *out,
+                                 size_t out_step) {
+    prt__vec sum[4];
     int r, j;
-    for (j = 0; j < size; j++) v[j] = prt__vec_load(x + j * step);
-    for (r = 0; r < size; r++, m += size) {
-        prt__vec sum = m[0] * v[0];
-        for (j = 1; j < size; j++) sum += m[j] * v[j];
-        prt__vec_store(out + r * step, sum);
+    PRT__UNROLL
+    for (r = 0; r < rows; r++) sum[r] = m[r * size] * v[0];
+    PRT__UNROLL
+    for (j = 1; j < size; j++) {
+        PRT__UNROLL
+        for (r = 0; r < rows; r++) sum[r] += m[r * size + j] * v[j];
     }
+    PRT__UNROLL
+    for (r = 0; r < rows; r++) prt__vec_store(out + (size_t)r * out_step, sum[r]);
 }
 
-typedef void prt__block_kernel(const prt__entry *m, const prt_real *x, prt_real *out, int step);
+/* out = M x for one block in all lanes, coefficients so many steps apart. With size known the input stays in registers;
+   all of it is read before anything is written. */
+PRT__INLINE void prt__block_lanes(int size, const prt__entry *m, const prt_real *x, size_t x_step, prt_real *out,
+                                  size_t out_step) {
+    prt__vec v[2 * PRT__ENTRY_BANDS - 1];
+    int r, j;
+    PRT__UNROLL
+    for (j = 0; j < size; j++) v[j] = prt__vec_load(x + (size_t)j * x_step);
+    PRT__UNROLL
+    for (r = 0; r + 4 <= size; r += 4) prt__block_rows(4, size, m + r * size, v, out + (size_t)r * out_step, out_step);
+    prt__block_rows(size & 3, size, m + r * size, v, out + (size_t)r * out_step, out_step);
+}
+
+typedef void prt__block_kernel(const prt__entry *m, const prt_real *x, size_t x_step, prt_real *out, size_t out_step);
 #define PRT__BLOCK_KERNEL(l) \
-    PRT__STATIC void prt__block_lanes_##l(const prt__entry *m, const prt_real *x, prt_real *out, int step) { \
-        prt__block_lanes(2 * l + 1, m, x, out, step); \
+    PRT__STATIC void prt__block_lanes_##l(const prt__entry *m, const prt_real *x, size_t x_step, prt_real *out, \
+                                          size_t out_step) { \
+        prt__block_lanes(2 * l + 1, m, x, x_step, out, out_step); \
     }
 PRT__BLOCK_KERNEL(0) PRT__BLOCK_KERNEL(1) PRT__BLOCK_KERNEL(2) PRT__BLOCK_KERNEL(3)
 PRT__BLOCK_KERNEL(4) PRT__BLOCK_KERNEL(5) PRT__BLOCK_KERNEL(6) PRT__BLOCK_KERNEL(7)
@@ -2625,27 +2652,28 @@ static prt__block_kernel *const prt__block_kernels[PRT__ENTRY_BANDS] = {
     prt__block_lanes_4, prt__block_lanes_5, prt__block_lanes_6, prt__block_lanes_7
 };
 
-/* The same for a block of any size, four rows at a time. */
-PRT__STATIC void prt__block_lanes_any(int size, const prt_real *m, const prt_real *x, prt_real *out, int step) {
+/* The same for a block of any size, which writes before it has read all. */
+PRT__STATIC void prt__block_lanes_any(int size, const prt_real *m, const prt_real *x, size_t x_step, prt_real *out,
+                                      size_t out_step) {
     int r, j;
-    for (r = 0; r + 4 <= size; r += 4, m += 4 * size) {
+    for (r = 0; r + 4 <= size; r += 4, m += 4 * size, out += 4 * out_step) {
         prt__vec a = prt__vec_set(0), b = a, c = a, d = a;
         for (j = 0; j < size; j++) {
-            prt__vec v = prt__vec_load(x + j * step);
+            prt__vec v = prt__vec_load(x + (size_t)j * x_step);
             a += m[j] * v;
             b += m[size + j] * v;
             c += m[2 * size + j] * v;
             d += m[3 * size + j] * v;
         }
-        prt__vec_store(out + r * step, a);
-        prt__vec_store(out + (r + 1) * step, b);
-        prt__vec_store(out + (r + 2) * step, c);
-        prt__vec_store(out + (r + 3) * step, d);
+        prt__vec_store(out, a);
+        prt__vec_store(out + out_step, b);
+        prt__vec_store(out + 2 * out_step, c);
+        prt__vec_store(out + 3 * out_step, d);
     }
-    for (; r < size; r++, m += size) {
+    for (; r < size; r++, m += size, out += out_step) {
         prt__vec a = prt__vec_set(0);
-        for (j = 0; j < size; j++) a += m[j] * prt__vec_load(x + j * step);
-        prt__vec_store(out + r * step, a);
+        for (j = 0; j < size; j++) a += m[j] * prt__vec_load(x + (size_t)j * x_step);
+        prt__vec_store(out, a);
     }
 }
 
@@ -2701,6 +2729,7 @@ enum { PRT__UNIT = 16 / (int)sizeof(prt_real) };                /* numbers in 16
 PRT__INLINE void prt__lanes_transpose(prt__vec *row) {
     prt__vec t[PRT__LANES];
     int g, j;
+    PRT__UNROLL
     for (g = 0; g < PRT__LANES; g += PRT__UNIT) {
 #ifdef PRT_DOUBLE
         t[g] = prt__lo(row[g], row[g + 1]);
@@ -2714,6 +2743,7 @@ PRT__INLINE void prt__lanes_transpose(prt__vec *row) {
         t[g + 3] = prt__hi(c, d);
 #endif
     }
+    PRT__UNROLL
     for (j = 0; j < PRT__UNIT; j++) {
 #if PRT__VEC_BYTES == 16
         row[j] = t[j];
@@ -2735,123 +2765,152 @@ PRT__INLINE void prt__lanes_transpose(prt__vec *row) {
 PRT__INLINE void prt__lanes_transpose(prt__vec *row) { (void)row; }
 #endif
 
-/* Where many vectors stand: coefficient i of vector k at f[k * vector + i * coefficient]. */
-typedef struct prt__layout { size_t vector, coefficient; } prt__layout;
-
-/* Coefficients 0 ... count-1 of `lanes` vectors from f to x[count][PRT__LANES]; missing lanes become 0. */
-PRT__STATIC void prt__lanes_gather(const prt__layout *at, const prt_real *f, int count, int lanes, prt_real *x) {
+/* Coefficients 0 ... count-1 of `lanes` vectors, `stride` apart, from f to x[count][PRT__LANES]; missing lanes become 0. */
+PRT__STATIC void prt__lanes_gather(size_t stride, const prt_real *f, int count, int lanes, prt_real *x) {
     prt__vec row[PRT__LANES];
     int i, k;
-    if (lanes == PRT__LANES && at->vector == 1) {
+    if (lanes < PRT__LANES || count < PRT__LANES) {
         for (i = 0; i < count; i++)
-            prt__vec_store(x + i * PRT__LANES, prt__vec_load(f + (size_t)i * at->coefficient));
-    } else if (lanes == PRT__LANES && at->coefficient == 1 && count >= PRT__LANES) {
-        for (i = 0; i < count; i += PRT__LANES) {
-            int first = i + PRT__LANES <= count ? i : count - PRT__LANES;               /* the last may overlap */
-            for (k = 0; k < PRT__LANES; k++) row[k] = prt__vec_load(f + (size_t)k * at->vector + first);
-            prt__lanes_transpose(row);
-            for (k = 0; k < PRT__LANES; k++) prt__vec_store(x + (first + k) * PRT__LANES, row[k]);
-        }
-    } else {
-        for (i = 0; i < count; i++)
-            for (k = 0; k < PRT__LANES; k++)
-                x[i * PRT__LANES + k] = k < lanes ? f[(size_t)k * at->vector + (size_t)i * at->coefficient] : 0;
+            for (k = 0; k < PRT__LANES; k++) x[i * PRT__LANES + k] = k < lanes ? f[(size_t)k * stride + (size_t)i] : 0;
+        return;
+    }
+    for (i = 0; i < count; i += PRT__LANES) {
+        int first = i + PRT__LANES <= count ? i : count - PRT__LANES;                   /* the last may overlap */
+        PRT__UNROLL
+        for (k = 0; k < PRT__LANES; k++) row[k] = prt__vec_load(f + (size_t)k * stride + first);
+        prt__lanes_transpose(row);
+        PRT__UNROLL
+        for (k = 0; k < PRT__LANES; k++) prt__vec_store(x + (first + k) * PRT__LANES, row[k]);
     }
 }
 
-PRT__STATIC void prt__lanes_scatter(const prt__layout *at, const prt_real *x, int count, int lanes, prt_real *f) {
+PRT__STATIC void prt__lanes_scatter(size_t stride, const prt_real *x, int count, int lanes, prt_real *f) {
     prt__vec row[PRT__LANES];
     int i, k;
-    if (lanes == PRT__LANES && at->vector == 1) {
+    if (lanes < PRT__LANES || count < PRT__LANES) {
         for (i = 0; i < count; i++)
-            prt__vec_store(f + (size_t)i * at->coefficient, prt__vec_load(x + i * PRT__LANES));
-    } else if (lanes == PRT__LANES && at->coefficient == 1 && count >= PRT__LANES) {
-        for (i = 0; i < count; i += PRT__LANES) {
-            int first = i + PRT__LANES <= count ? i : count - PRT__LANES;
-            for (k = 0; k < PRT__LANES; k++) row[k] = prt__vec_load(x + (first + k) * PRT__LANES);
-            prt__lanes_transpose(row);
-            for (k = 0; k < PRT__LANES; k++) prt__vec_store(f + (size_t)k * at->vector + first, row[k]);
-        }
-    } else {
-        for (i = 0; i < count; i++)
-            for (k = 0; k < lanes; k++) f[(size_t)k * at->vector + (size_t)i * at->coefficient] = x[i * PRT__LANES + k];
+            for (k = 0; k < lanes; k++) f[(size_t)k * stride + (size_t)i] = x[i * PRT__LANES + k];
+        return;
     }
+    for (i = 0; i < count; i += PRT__LANES) {
+        int first = i + PRT__LANES <= count ? i : count - PRT__LANES;
+        PRT__UNROLL
+        for (k = 0; k < PRT__LANES; k++) row[k] = prt__vec_load(x + (first + k) * PRT__LANES);
+        prt__lanes_transpose(row);
+        PRT__UNROLL
+        for (k = 0; k < PRT__LANES; k++) prt__vec_store(f + (size_t)k * stride + first, row[k]);
+    }
+}
+
+/* The blocks as the kernels take them: repeated in `room` where registers have 16 bytes. */
+PRT__STATIC const prt__entry *prt__block_entries(int bands, const prt_real *blocks, prt__entry *room) {
+#if PRT__SIMD && PRT__VEC_BYTES == 16
+    size_t i, total = prt__block_offset(bands < PRT__ENTRY_BANDS ? bands : PRT__ENTRY_BANDS);
+    for (i = 0; i < total; i++) room[i] = prt__entry_of(blocks[i]);
+    return room;
+#else
+    (void)bands; (void)room;
+    return blocks;
+#endif
 }
 
 /* Bands first ... end-1 of one group of lanes; `channels` values stand side by side for each coefficient. */
 PRT__STATIC void prt__rotate_lanes(int first, int end, int channels, const prt__entry *entries, const prt_real *blocks,
                                    const prt_real *x, prt_real *out) {
-    int l, c, step = channels * PRT__LANES;
+    size_t step = (size_t)(channels * PRT__LANES);
+    int l, c;
     for (l = first; l < end && l < PRT_MAX_BANDS; l++)          /* the second bound only tells compilers */
         for (c = 0; c < channels; c++) {
             int at = ((l * l - first * first) * channels + c) * PRT__LANES;
             size_t block = prt__block_offset(l);
-            if (l < PRT__ENTRY_BANDS) prt__block_kernels[l](entries + block, x + at, out + at, step);
-            else prt__block_lanes_any(2 * l + 1, blocks + block, x + at, out + at, step);
+            if (l < PRT__ENTRY_BANDS) prt__block_kernels[l](entries + block, x + at, step, out + at, step);
+            else prt__block_lanes_any(2 * l + 1, blocks + block, x + at, step, out + at, step);
         }
 }
 
-/* All vectors, a group of PRT__LANES at a time: some bands at once as far as they fit the buffers, at least one. */
-PRT__STATIC void prt__rotate_many(int bands, int channels, const prt_real *blocks, int count, const prt__layout *at,
-                                  const prt_real *f, prt_real *out) {
+/* Vectors one after the other, a group of PRT__LANES at a time: some bands at once as far as they fit the buffers, at
+   least one. */
+PRT__STATIC void prt__rotate_many(int bands, int channels, const prt_real *blocks, int count, const prt_real *f,
+                                  prt_real *out) {
     enum { BAND = 3 * (2 * PRT_MAX_BANDS - 1), ROOM = BAND > 3 * 64 ? BAND : 3 * 64 };
     prt__vec x[ROOM], y[ROOM];
-#if PRT__SIMD && PRT__VEC_BYTES == 16
-    prt__entry entries[PRT__ENTRIES];
-#else
-    const prt__entry *entries = blocks;
-#endif
+    prt__entry room[PRT__ENTRIES];
+    const prt__entry *entries = prt__block_entries(bands, blocks, room);
+    size_t stride = (size_t)(PRT_SH_COUNT(bands) * channels);
     int k, first, end;
-#if PRT__SIMD && PRT__VEC_BYTES == 16
-    size_t i, total = prt__block_offset(bands < PRT__ENTRY_BANDS ? bands : PRT__ENTRY_BANDS);
-    for (i = 0; i < total; i++) entries[i] = prt__entry_of(blocks[i]);
-#endif
     for (k = 0; k < count; k += PRT__LANES) {
         int lanes = count - k < PRT__LANES ? count - k : PRT__LANES;
         for (first = 0; first < bands; first = end) {
-            size_t start = (size_t)k * at->vector + (size_t)(first * first * channels) * at->coefficient;
+            size_t start = (size_t)k * stride + (size_t)(first * first * channels);
             int size;
             for (end = first + 1; end < bands && (end + 1 - first) * (end + 1 + first) * channels <= ROOM; end++) { }
             size = (end * end - first * first) * channels;
-            prt__lanes_gather(at, f + start, size, lanes, (prt_real *)x);
+            prt__lanes_gather(stride, f + start, size, lanes, (prt_real *)x);
             prt__rotate_lanes(first, end, channels, entries, blocks, (const prt_real *)x, (prt_real *)y);
-            prt__lanes_scatter(at, (const prt_real *)y, size, lanes, out + start);
+            prt__lanes_scatter(stride, (const prt_real *)y, size, lanes, out + start);
         }
     }
 }
 
-PRT__STATIC prt_result prt__rotate_many_checked(int bands, int channels, const prt_real *blocks, int count,
-                                                const prt__layout *at, const prt_real *f, prt_real *out) {
+/* Band l of one group of lanes in rows, by way of x: the band may be of any size and the group incomplete. */
+PRT__STATIC void prt__rotate_row_part(int l, int lanes, const prt__entry *entries, const prt_real *blocks,
+                                      const prt_real *f, prt_real *out, size_t stride) {
+    prt__vec x[2 * PRT_MAX_BANDS], y[2 * PRT_MAX_BANDS];
+    int j, size = 2 * l + 1;
+    for (j = 0; j < size; j++) x[j] = prt__vec_load_part(f + (size_t)j * stride, lanes);
+    if (l < PRT__ENTRY_BANDS)
+        prt__block_kernels[l](entries, (const prt_real *)x, PRT__LANES, (prt_real *)y, PRT__LANES);
+    else
+        prt__block_lanes_any(size, blocks, (const prt_real *)x, PRT__LANES, (prt_real *)y, PRT__LANES);
+    for (j = 0; j < size; j++) prt__vec_store_part(out + (size_t)j * stride, y[j], lanes);
+}
+
+/* Rows of coefficients, band after band: so only the rows of one band are streams at a time. */
+PRT__STATIC void prt__rotate_rows(int bands, const prt_real *blocks, int count, const prt_real *f, prt_real *out,
+                                  size_t stride) {
+    prt__entry room[PRT__ENTRIES];
+    const prt__entry *entries = prt__block_entries(bands, blocks, room);
+    int l, k;
+    for (l = 0; l < bands; l++) {
+        size_t row = (size_t)(l * l) * stride, block = prt__block_offset(l);
+        const prt__entry *m = l < PRT__ENTRY_BANDS ? entries + block : entries;
+        for (k = 0; k < count; k += PRT__LANES) {
+            const prt_real *from = f + row + k;
+            prt_real *to = out + row + k;
+            int lanes = count - k < PRT__LANES ? count - k : PRT__LANES;
+            if (lanes == PRT__LANES && l < PRT__ENTRY_BANDS) prt__block_kernels[l](m, from, stride, to, stride);
+            else prt__rotate_row_part(l, lanes, m, blocks + block, from, to, stride);
+        }
+    }
+}
+
+PRT__STATIC prt_result prt__rotate_many_check(int bands, const prt_real *blocks, int count, const prt_real *f,
+                                              const prt_real *out) {
     if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
     if (count < 0) return PRT_ERR_COUNT;
-    if (count == 0) return PRT_OK;
-    if (!blocks || !f || !out) return PRT_ERR_NULL;
-    prt__rotate_many(bands, channels, blocks, count, at, f, out);
-    return PRT_OK;
+    return count > 0 && (!blocks || !f || !out) ? PRT_ERR_NULL : PRT_OK;
 }
 
 PRTDEF prt_result prt_sh_rotate_by_n(int bands, const prt_real *blocks, int count, const prt_real *f, prt_real *out) {
-    prt__layout at;
-    at.vector = (size_t)PRT_SH_COUNT((size_t)bands);
-    at.coefficient = 1;
-    return prt__rotate_many_checked(bands, 1, blocks, count, &at, f, out);
+    prt_result r = prt__rotate_many_check(bands, blocks, count, f, out);
+    if (r == PRT_OK && count > 0) prt__rotate_many(bands, 1, blocks, count, f, out);
+    return r;
 }
 
 PRTDEF prt_result prt_sh_rotate_by_n_rgb(int bands, const prt_real *blocks, int count, const prt_real *f,
                                          prt_real *out) {
-    prt__layout at;
-    at.vector = 3 * (size_t)PRT_SH_COUNT((size_t)bands);
-    at.coefficient = 1;
-    return prt__rotate_many_checked(bands, 3, blocks, count, &at, f, out);
+    prt_result r = prt__rotate_many_check(bands, blocks, count, f, out);
+    if (r == PRT_OK && count > 0) prt__rotate_many(bands, 3, blocks, count, f, out);
+    return r;
 }
 
 PRTDEF prt_result prt_sh_rotate_by_soa(int bands, const prt_real *blocks, int count, const prt_real *f, prt_real *out,
                                        size_t stride) {
-    prt__layout at;
-    at.vector = 1;
-    at.coefficient = stride;
+    prt_result r;
     if (prt__bands_ok(bands) && count > 0 && stride < (size_t)count) return PRT_ERR_COUNT;
-    return prt__rotate_many_checked(bands, 1, blocks, count, &at, f, out);
+    r = prt__rotate_many_check(bands, blocks, count, f, out);
+    if (r == PRT_OK && count > 0) prt__rotate_rows(bands, blocks, count, f, out, stride);
+    return r;
 }
 
 /* ---- one vector, one rotation ---- */

@@ -284,6 +284,38 @@ static void batches_are_bit_equal_to_their_parts(void **state) {
     free(blocks);
 }
 
+/* The same for rows: any count, any place in the row, in place or not. */
+static void rows_are_bit_equal_to_their_parts(void **state) {
+    static const int all_bands[] = { 1, 2, 4, 6, 9 };
+    enum { COUNT = 40, STRIDE = 43, MOST = 81 * STRIDE };
+    prt_real *blocks = new_array(prt_sh_rotation_count(9)), rotation[9];
+    prt_real *f = new_array(MOST), *out = new_array(MOST), *part = new_array(MOST);
+    size_t b;
+    int i, k, count;
+    (void)state;
+    for (b = 0; b < sizeof all_bands / sizeof *all_bands; b++) {
+        int bands = all_bands[b], n = bands * bands;
+        random_rotation(rotation);
+        prt_sh_rotation(bands, rotation, blocks);
+        random_vector(MOST, f);
+        for (i = 0; i < MOST; i++) out[i] = 77;
+        assert_int_equal(prt_sh_rotate_by_soa(bands, blocks, COUNT, f, out, STRIDE), PRT_OK);
+        for (i = 0; i < n; i++)
+            for (k = COUNT; k < STRIDE; k++) assert_near(out[i * STRIDE + k], 77, 0);
+        for (count = 1; count < COUNT; count += 6) {
+            assert_int_equal(prt_sh_rotate_by_soa(bands, blocks, count, f + COUNT - count, part, STRIDE), PRT_OK);
+            for (i = 0; i < n; i++)
+                assert_memory_equal(part + i * STRIDE, out + i * STRIDE + COUNT - count, (size_t)count * sizeof *part);
+        }
+        assert_int_equal(prt_sh_rotate_by_soa(bands, blocks, COUNT, f, f, STRIDE), PRT_OK);
+        for (i = 0; i < n; i++) assert_memory_equal(f + i * STRIDE, out + i * STRIDE, COUNT * sizeof *f);
+    }
+    free(f);
+    free(out);
+    free(part);
+    free(blocks);
+}
+
 /* ---- one vector, one rotation ----------------------------------------------------------------------------------- */
 
 static void rotation_about_z(double angle, prt_real r[9]) {
@@ -610,6 +642,7 @@ int main(void) {
         cmocka_unit_test(blocks_compose_and_reflect),
         cmocka_unit_test(every_layout_is_the_plain_product),
         cmocka_unit_test(batches_are_bit_equal_to_their_parts),
+        cmocka_unit_test(rows_are_bit_equal_to_their_parts),
         cmocka_unit_test(one_shot_agrees_with_the_reference_table),
         cmocka_unit_test(one_shot_holds_near_the_poles),
         cmocka_unit_test(one_shot_agrees_with_the_blocks),
