@@ -2609,10 +2609,8 @@ PRT__INLINE prt__entry prt__entry_of(prt_real m) { return m; }
 #endif
 enum { PRT__ENTRY_BANDS = 8, PRT__ENTRIES = PRT__ENTRY_BANDS * (4 * PRT__ENTRY_BANDS * PRT__ENTRY_BANDS - 1) / 3 };
 
-/* Four rows of M x or fewer in all lanes, side by side: no sum waits for another. */
-PRT__INLINE void prt__block_rows(int rows, int size, const prt__entry *m, const prt__vec *v, prt_real *out,
-                                 size_t out_step) {
-    prt__vec sum[4];
+/* sum = M v for four rows or fewer in all lanes, side by side: no sum waits for another. */
+PRT__INLINE void prt__block_rows(int rows, int size, const prt__entry *m, const prt__vec *v, prt__vec *sum) {
     int r, j;
     PRT__UNROLL
     for (r = 0; r < rows; r++) sum[r] = m[r * size] * v[0];
@@ -2621,21 +2619,23 @@ PRT__INLINE void prt__block_rows(int rows, int size, const prt__entry *m, const 
         PRT__UNROLL
         for (r = 0; r < rows; r++) sum[r] += m[r * size + j] * v[j];
     }
-    PRT__UNROLL
-    for (r = 0; r < rows; r++) prt__vec_store(out + (size_t)r * out_step, sum[r]);
 }
 
 /* out = M x for one block in all lanes, coefficients so many steps apart. With size known the input stays in registers;
    all of it is read before anything is written. */
 PRT__INLINE void prt__block_lanes(int size, const prt__entry *m, const prt_real *x, size_t x_step, prt_real *out,
                                   size_t out_step) {
-    prt__vec v[2 * PRT__ENTRY_BANDS - 1];
-    int r, j;
+    prt__vec v[2 * PRT__ENTRY_BANDS - 1], sum[4];
+    int r, i, rows;
     PRT__UNROLL
-    for (j = 0; j < size; j++) v[j] = prt__vec_load(x + (size_t)j * x_step);
+    for (i = 0; i < size; i++) v[i] = prt__vec_load(x + (size_t)i * x_step);
     PRT__UNROLL
-    for (r = 0; r + 4 <= size; r += 4) prt__block_rows(4, size, m + r * size, v, out + (size_t)r * out_step, out_step);
-    prt__block_rows(size & 3, size, m + r * size, v, out + (size_t)r * out_step, out_step);
+    for (r = 0; r < size; r += 4) {
+        rows = size - r < 4 ? size - r : 4;
+        prt__block_rows(rows, size, m + r * size, v, sum);
+        PRT__UNROLL
+        for (i = 0; i < rows; i++) prt__vec_store(out + (size_t)(r + i) * out_step, sum[i]);
+    }
 }
 
 typedef void prt__block_kernel(const prt__entry *m, const prt_real *x, size_t x_step, prt_real *out, size_t out_step);
@@ -2723,6 +2723,9 @@ PRT__SHUFFLE(prt__block_lo, 0, 1, 2, 3, 16, 17, 18, 19, 4, 5, 6, 7, 20, 21, 22, 
 PRT__SHUFFLE(prt__block_hi, 8, 9, 10, 11, 24, 25, 26, 27, 12, 13, 14, 15, 28, 29, 30, 31)
 #endif
 
+/* Registers of 16 bytes take a block from vector after vector without a buffer between. */
+#define PRT__BLOCK_VECTORS (PRT__SIMD && PRT__VEC_BYTES == 16)
+
 enum { PRT__UNIT = 16 / (int)sizeof(prt_real) };                /* numbers in 16 bytes */
 
 /* The transposed PRT__LANES x PRT__LANES matrix, in place: first within blocks of 16 bytes, then the blocks. */
@@ -2763,6 +2766,83 @@ PRT__INLINE void prt__lanes_transpose(prt__vec *row) {
 }
 #else
 PRT__INLINE void prt__lanes_transpose(prt__vec *row) { (void)row; }
+#endif
+
+#if PRT__BLOCK_VECTORS
+/* PRT__LANES coefficients of as many vectors. */
+PRT__INLINE void prt__vectors_load(const prt_real *f, size_t stride, prt__vec *v) {
+    int k;
+    PRT__UNROLL
+    for (k = 0; k < PRT__LANES; k++) v[k] = prt__vec_load(f + (size_t)k * stride);
+    prt__lanes_transpose(v);
+}
+
+PRT__INLINE void prt__vectors_store(prt_real *out, size_t stride, const prt__vec *sum) {
+    prt__vec v[PRT__LANES];
+    int k;
+    PRT__UNROLL
+    for (k = 0; k < PRT__LANES; k++) v[k] = sum[k];
+    prt__lanes_transpose(v);
+    PRT__UNROLL
+    for (k = 0; k < PRT__LANES; k++) prt__vec_store(out + (size_t)k * stride, v[k]);
+}
+
+/* One block, or with size = 4 the first two, of PRT__LANES vectors, `stride` apart, all in registers. */
+PRT__INLINE void prt__block_vectors(int size, const prt__entry *m, const prt_real *f, prt_real *out, size_t stride) {
+    prt__vec v[2 * PRT__ENTRY_BANDS - 1], sum[2 * PRT__ENTRY_BANDS - 1];
+    int i;
+    if (size % PRT__LANES) prt__vectors_load(f + size - PRT__LANES, stride, v + size - PRT__LANES);
+    PRT__UNROLL
+    for (i = 0; i + PRT__LANES <= size; i += PRT__LANES) prt__vectors_load(f + i, stride, v + i);
+    if (size == 4) {
+        prt__block_rows(1, 1, m, v, sum);
+        prt__block_rows(3, 3, m + 1, v + 1, sum + 1);
+    } else {
+        PRT__UNROLL
+        for (i = 0; i < size; i += 4) prt__block_rows(size - i < 4 ? size - i : 4, size, m + i * size, v, sum + i);
+    }
+    PRT__UNROLL
+    for (i = 0; i + PRT__LANES <= size; i += PRT__LANES) prt__vectors_store(out + i, stride, sum + i);
+    if (size % PRT__LANES) prt__vectors_store(out + size - PRT__LANES, stride, sum + size - PRT__LANES);
+}
+
+typedef void prt__vectors_kernel(const prt__entry *m, const prt_real *f, prt_real *out, size_t stride);
+#define PRT__VECTORS_KERNEL(l) \
+    PRT__STATIC void prt__block_vectors_##l(const prt__entry *m, const prt_real *f, prt_real *out, size_t stride) { \
+        prt__block_vectors(l == 1 ? 4 : 2 * l + 1, m, f, out, stride); \
+    }
+PRT__VECTORS_KERNEL(1) PRT__VECTORS_KERNEL(2) PRT__VECTORS_KERNEL(3) PRT__VECTORS_KERNEL(4)
+PRT__VECTORS_KERNEL(5) PRT__VECTORS_KERNEL(6) PRT__VECTORS_KERNEL(7)
+#undef PRT__VECTORS_KERNEL
+static prt__vectors_kernel *const prt__vectors_kernels[PRT__ENTRY_BANDS] = {
+    NULL, prt__block_vectors_1, prt__block_vectors_2, prt__block_vectors_3, prt__block_vectors_4, prt__block_vectors_5,
+    prt__block_vectors_6, prt__block_vectors_7
+};
+
+/* The low bands, two or more, of a group of PRT__LANES vectors, an incomplete one by way of `part`; returns how many. */
+PRT__STATIC int prt__rotate_vectors(int bands, const prt__entry *entries, int lanes, const prt_real *f, prt_real *out,
+                                    size_t stride) {
+    prt_real part[PRT__LANES][PRT_SH_COUNT(PRT__ENTRY_BANDS)];
+    int low = bands < PRT__ENTRY_BANDS ? bands : PRT__ENTRY_BANDS, l, k;
+    size_t bytes = (size_t)PRT_SH_COUNT(low) * sizeof *f;
+    if (lanes < PRT__LANES) {
+        memset(part, 0, sizeof part);
+        for (k = 0; k < lanes; k++) memcpy(part[k], f + (size_t)k * stride, bytes);
+        prt__rotate_vectors(low, entries, PRT__LANES, part[0], part[0], PRT_SH_COUNT(PRT__ENTRY_BANDS));
+        for (k = 0; k < lanes; k++) memcpy(out + (size_t)k * stride, part[k], bytes);
+        return low;
+    }
+    prt__vectors_kernels[1](entries, f, out, stride);
+    for (l = 2; l < low; l++)
+        prt__vectors_kernels[l](entries + prt__block_offset(l), f + l * l, out + l * l, stride);
+    return low;
+}
+#else
+PRT__INLINE int prt__rotate_vectors(int bands, const prt__entry *entries, int lanes, const prt_real *f, prt_real *out,
+                                    size_t stride) {
+    (void)bands; (void)entries; (void)lanes; (void)f; (void)out; (void)stride;
+    return 0;
+}
 #endif
 
 /* Coefficients 0 ... count-1 of `lanes` vectors, `stride` apart, from f to x[count][PRT__LANES]; missing lanes become 0. */
@@ -2828,6 +2908,19 @@ PRT__STATIC void prt__rotate_lanes(int first, int end, int channels, const prt__
         }
 }
 
+/* Has so many numbers brought near, in the order in which memory likes it: transposes read them in another. */
+PRT__INLINE void prt__fetch_ahead(size_t count, const prt_real *f, const prt_real *out) {
+#if PRT__SIMD
+    size_t i;
+    for (i = 0; i < count; i += 64 / sizeof *f) {
+        __builtin_prefetch(f + i, 0);
+        __builtin_prefetch(out + i, 1);
+    }
+#else
+    (void)count; (void)f; (void)out;
+#endif
+}
+
 /* Vectors one after the other, a group of PRT__LANES at a time: some bands at once as far as they fit the buffers, at
    least one. */
 PRT__STATIC void prt__rotate_many(int bands, int channels, const prt_real *blocks, int count, const prt_real *f,
@@ -2837,10 +2930,15 @@ PRT__STATIC void prt__rotate_many(int bands, int channels, const prt_real *block
     prt__entry room[PRT__ENTRIES];
     const prt__entry *entries = prt__block_entries(bands, blocks, room);
     size_t stride = (size_t)(PRT_SH_COUNT(bands) * channels);
-    int k, first, end;
+    int k, first, end, far_away = (size_t)count > ((size_t)1 << 22) / sizeof *f / stride;       /* beyond most caches */
     for (k = 0; k < count; k += PRT__LANES) {
-        int lanes = count - k < PRT__LANES ? count - k : PRT__LANES;
-        for (first = 0; first < bands; first = end) {
+        int lanes = count - k < PRT__LANES ? count - k : PRT__LANES, next = count - k - lanes;
+        if (far_away)
+            prt__fetch_ahead((size_t)(next < PRT__LANES ? next : PRT__LANES) * stride, f + (size_t)(k + lanes) * stride,
+                             out + (size_t)(k + lanes) * stride);
+        first = channels == 1 && bands > 1 ? prt__rotate_vectors(bands, entries, lanes, f + (size_t)k * stride,
+                                                                 out + (size_t)k * stride, stride) : 0;
+        for (; first < bands; first = end) {
             size_t start = (size_t)k * stride + (size_t)(first * first * channels);
             int size;
             for (end = first + 1; end < bands && (end + 1 - first) * (end + 1 + first) * channels <= ROOM; end++) { }
