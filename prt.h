@@ -55,6 +55,7 @@
      >>product    products, squares, masks, logarithm and exponential; triple product coefficients
      >>ch         cpherical harmonics: evaluation, norms, conversion, moments, dot product, rotation, product
      >>shade      exit radiance from transfer
+     >>fiv        moving occluders: fullsphere irradiance vectors, lookup, shadow, self-shadow
      >>vo         vector occluders: shadows, caustics and interreflections of point lights
      >>reference  slow evaluators by other routes, for tests
      >>generated  straight-line kernels, written by codegen/
@@ -112,6 +113,8 @@
      [Sherif 2013]       Sherif: Vector Occluders: An Empirical Approximation for Rendering Global Illumination
                          Effects in Real-Time. MSc thesis, University of Ontario Institute of Technology, 2013
      [Oat 2007]          Oat, Sander: Ambient Aperture Lighting. I3D 2007
+     [Michael 2010]      Michael, Chrysanthou: Fullsphere Irradiance Factorization for Real-time All-frequency
+                         Illumination for Dynamic Scenes. Computer Graphics Forum 29(8), 2010
      [Chapter 2010]      Chapter: Textured Hierarchical Precomputed Radiance Transfer. Cal Poly 2010
 */
 #ifndef PRT_H_INCLUDED
@@ -636,6 +639,105 @@ PRTDEF prt_result prt_shade_diffuse  (int bands, const prt_real *transfer, const
    may be NULL if it is 0. Each point is bit-equal to prt_shade_diffuse. */
 PRTDEF prt_result prt_shade_diffuse_n(int bands, int count, const prt_real *transfer, const prt_real *light,
                                       prt_rgb *out);
+
+/* --------------------------------------------------------------------------------------------------- >>fiv ---- */
+
+/* Shadows of moving objects by fullsphere irradiance vectors [Michael 2010]. The vector of a part of the environment is
+   FIV = int L(w) w dw over that part (equation 9), and N.FIV its irradiance on a surface of normal N wherever all of
+   that part lies above the surface (equation 10). So what an occluder takes from a receiver is one vector a channel,
+   whatever the receiver's normal: it is baked for places of the occluder around the receiver, by prt_bake_fiv_table, and
+   looked up. Irradiance = total - what the occluders take (equation 11).
+   Space: the environment is at infinity and fixed; occluders move without turning (prt_fiv_transfer lets them turn).
+   Values are not checked and none makes a call crash, loop or read outside a table: shading returns numbers within
+   0 ... total for every finite total, in every channel, whatever stands in table, positions and normals. */
+typedef struct prt_fiv { prt_vec3 r, g, b; } prt_fiv;                  /* one vector a channel */
+
+typedef struct prt_fiv_table {         /* one occluder's vectors on a grid of places as seen from the receiver */
+    int theta_count, phi_count, rho_count;   /* theta_i = pi i/(theta_count-1), phi_j = 2 pi j/phi_count (wraps), rho[k];
+                                          each at least 1; one row stands for every theta */
+    const prt_real *rho;               /* [rho_count] increasing distances from receiver to occluder centre */
+    prt_real radius;                   /* bounding radius of the occluder; 0: it hides nothing */
+    const prt_fiv *samples;            /* [rho_count][theta_count][phi_count] */
+    const unsigned char *inside;       /* same shape, nonzero: a receiver there is inside the occluder; NULL: none */
+} prt_fiv_table;
+
+typedef struct prt_fiv_occluder { const prt_fiv_table *table; prt_vec3 position; } prt_fiv_occluder;
+
+/* What one occluder hides from one receiver, however it was looked up: for prt_fiv_shade_vectors. */
+typedef struct prt_fiv_hidden {
+    prt_fiv  fiv;                      /* the vectors of what it hides */
+    prt_vec3 to_centre;                /* from the receiver to the occluder's centre */
+    prt_real radius;                   /* bounding radius; 0: it hides nothing */
+} prt_fiv_hidden;
+
+enum {
+    PRT_FIV_PAPER_PARTIAL = 1,         /* occluders cut by the horizon: the paper's factor (d+R)/2R (4.3.1) */
+    PRT_FIV_NO_OVERLAP = 2             /* what two occluders hide together counts twice */
+};
+
+/* fiv += radiance dw w in each channel (equation 9). dir: unit. NULL: nothing happens. */
+PRTDEF void prt_fiv_add(prt_fiv *fiv, prt_vec3 dir, prt_rgb radiance_times_solid_angle);
+
+/* N.FIV (equation 10): the irradiance of the part of the environment that FIV stands for, where that part lies above the
+   surface; negative where it lies below. NULL: 0. Cost: 9 multiplications. */
+PRTDEF prt_rgb prt_fiv_irradiance(const prt_fiv *fiv, prt_vec3 normal);
+
+/* The vectors that the occluder hides when its centre is at from_receiver_to_centre (any finite length, in the unit of
+   rho): trilinear in (theta, phi, rho) between the 8 samples around. phi wraps; nearer than rho[0] the vectors of rho[0]
+   hold; beyond the last rho they fall off with the solid angle, (rho_last/rho)^2. Samples inside the occluder, and samples
+   that are not finite, are left out and the other weights raised to 1; if all are inside, all count, and if none is
+   finite the vectors are 0. At distance 0 the direction is taken for that of theta = phi = pi/2.
+   Errors: PRT_ERR_NULL (table, its rho or samples, out); PRT_ERR_COUNT (a count of the table below 1).
+   Accuracy: 1e-6 of the largest sample around in float, 1e-14 in double, beside what interpolation costs
+   (prt_fiv_distances). Cost: reads 8 samples, 288 bytes in float. */
+PRTDEF prt_result prt_fiv_lookup(const prt_fiv_table *table, prt_vec3 from_receiver_to_centre, prt_fiv *out);
+
+/* irradiance = total - what the occluders hide, at a receiver.
+   total       irradiance of the whole environment on `normal` (prt_bake_fiv_total), >= 0; negative or NaN counts as 0
+   normal      unit
+   occluders   [count]; an occluder's own surface is no receiver of it: see prt_fiv_self
+   flags       0, or PRT_FIV_...
+   An occluder whose centre is d = N.(centre - position) above the receiver's plane, of radius R, at distance r, hides
+     d >= R     I = N.FIV
+     d <= -R    nothing
+     between    I = max(0, N.FIV + |FIV| s (g(u) - u)),  s = min(1, R/r), u = N.to_centre/(r s) in [-1,1],
+                g(u) = (u acos(-u) + sqrt(1-u^2) (2+u^2)/3)/pi
+                what a cap of uniform radiance cut by the horizon takes, within .0005, .008, .067 of the uncut cap for
+                half-angles .2, .5, 1 (tests/test_fiv.c). The paper's (d+R)/2R scales N.FIV, which is too small already.
+   Overlap (equations 13, 14): with discs of radius r_i = 2 sin(a_i/2), sin(a_i) = s_i, whose centres are the chord apart,
+   each pair takes back lens/(area 1 + area 2) (I_1 + I_2), at most the smaller of the two. The sum then is kept between
+   the largest I and the total. With 0 occluders irradiance = total.
+   Errors: PRT_ERR_COUNT (count < 0, a count of a table below 1); PRT_ERR_NULL (irradiance; occluders with count > 0; a
+   table, its rho or samples). Nothing is written then.
+   Cost: a lookup an occluder that is not below the horizon, and about 40 operations a pair that overlaps. */
+PRTDEF prt_result prt_fiv_shade(prt_rgb total, prt_vec3 position, prt_vec3 normal, int count,
+                                const prt_fiv_occluder *occluders, unsigned flags, prt_rgb *irradiance);
+
+/* The same for many receivers: totals, positions, normals and irradiance have receiver_count entries. Each receiver gets
+   the same bits as from prt_fiv_shade, whatever the count and its place. irradiance may be totals. Errors: as
+   prt_fiv_shade, and PRT_ERR_COUNT (receiver_count < 0), PRT_ERR_NULL (an array with receiver_count > 0). */
+PRTDEF prt_result prt_fiv_shade_n(int receiver_count, const prt_rgb *totals, const prt_vec3 *positions,
+                                  const prt_vec3 *normals, int count, const prt_fiv_occluder *occluders, unsigned flags,
+                                  prt_rgb *irradiance);
+
+/* The same from vectors that you looked up yourself: occluders from tables of different kinds, or of your own.
+   Errors: PRT_ERR_COUNT, PRT_ERR_NULL. */
+PRTDEF prt_result prt_fiv_shade_vectors(prt_rgb total, prt_vec3 normal, int count, const prt_fiv_hidden *hidden,
+                                        unsigned flags, prt_rgb *irradiance);
+
+/* Self-shadow (4.3.2): irradiance at a point of an object's own surface, max(0, N.(FIV_environment - FIV_object)) in each
+   channel, the object as seen from local_position (relative to its centre). What the object leaves open lies above its
+   surface, so that here nothing needs a horizon.
+   environment   vectors of the whole environment (prt_bake_fiv_environment)
+   self          the object's table, with `inside` marked
+   Errors: PRT_ERR_NULL, PRT_ERR_COUNT (as prt_fiv_lookup). */
+PRTDEF prt_result prt_fiv_self(const prt_fiv *environment, const prt_fiv_table *self, prt_vec3 local_position,
+                               prt_vec3 normal, prt_rgb *irradiance);
+
+/* The irradiance of the whole environment on `normal` from the cube texture that prt_bake_fiv_total writes,
+   total[6][size][size], bilinear between texel centres, and beyond the outermost ones extended in a straight line, so that
+   edges and corners are as good as the rest. Error: curvature of I_tot times (2/size)^2/8. size < 1 or NULL: 0. */
+PRTDEF prt_rgb prt_fiv_total(int size, const prt_rgb *total, prt_vec3 normal);
 
 /* ---------------------------------------------------------------------------------------------------- >>vo ---- */
 
@@ -4703,6 +4805,306 @@ PRTDEF prt_result prt_shade_diffuse_n(int bands, int count, const prt_real *tran
     n = PRT_SH_COUNT(bands);
     for (k = 0; k < count; k++) out[k] = prt__shade(n, transfer + (size_t)k * (size_t)n, light);
     return PRT_OK;
+}
+
+/* --------------------------------------------------------------------------------------------------- >>fiv ---- */
+
+PRTDEF void prt_fiv_add(prt_fiv *fiv, prt_vec3 dir, prt_rgb radiance_times_solid_angle) {
+    prt_rgb c = radiance_times_solid_angle;
+    if (!fiv) return;
+    fiv->r.x += c.r * dir.x; fiv->r.y += c.r * dir.y; fiv->r.z += c.r * dir.z;
+    fiv->g.x += c.g * dir.x; fiv->g.y += c.g * dir.y; fiv->g.z += c.g * dir.z;
+    fiv->b.x += c.b * dir.x; fiv->b.y += c.b * dir.y; fiv->b.z += c.b * dir.z;
+}
+
+PRTDEF prt_rgb prt_fiv_irradiance(const prt_fiv *fiv, prt_vec3 normal) {
+    prt_rgb out = { 0, 0, 0 };
+    if (!fiv) return out;
+    out.r = prt__dot3(fiv->r, normal);
+    out.g = prt__dot3(fiv->g, normal);
+    out.b = prt__dot3(fiv->b, normal);
+    return out;
+}
+
+/* Numbers of either kind within low ... high; NaN becomes low. */
+PRT__INLINE prt_real prt__clamp(prt_real v, prt_real low, prt_real high) { return v > low ? v < high ? v : high : low; }
+
+/* A vector's length and direction; components are first brought within what a square root of a sum can hold. */
+PRT__STATIC prt_real prt__fiv_polar(prt_vec3 v, prt_vec3 *unit) {
+    const prt_real most = PRT__REAL_MAX / 4;
+    prt_real x = prt__clamp(v.x, -most, most), y = prt__clamp(v.y, -most, most), z = prt__clamp(v.z, -most, most);
+    prt_real big = prt__abs(x) > prt__abs(y) ? prt__abs(x) : prt__abs(y), length;
+    if (prt__abs(z) > big) big = prt__abs(z);
+    *unit = prt__vec3(0, 1, 0);
+    if (!(big > 0)) return 0;
+    x /= big; y /= big; z /= big;
+    length = prt__sqrt(x * x + y * y + z * z);
+    *unit = prt__vec3(x / length, y / length, z / length);
+    return big * length;
+}
+
+/* The 8 samples around a place, their weights, and the fall-off beyond the last distance. */
+typedef struct prt__fiv_corners { size_t at[8]; prt_real weight[8]; prt_real fall; } prt__fiv_corners;
+
+PRT__STATIC int prt__fiv_table_ok(const prt_fiv_table *t) {
+    return t->theta_count >= 1 && t->phi_count >= 1 && t->rho_count >= 1;
+}
+
+/* The interval of rho that holds a distance, by bisection: ends whatever the order of rho is. */
+PRT__STATIC int prt__fiv_interval(int count, const prt_real *rho, prt_real distance) {
+    int low = 0, high = count - 1;
+    while (high - low > 1) {
+        int middle = low + (high - low) / 2;
+        if (rho[middle] <= distance) low = middle; else high = middle;
+    }
+    return low;
+}
+
+PRT__STATIC prt__fiv_corners prt__fiv_corners_at(const prt_fiv_table *t, prt_vec3 dir, prt_real distance) {
+    prt__fiv_corners c;
+    prt_real i = (prt_real)(atan2((double)prt__sqrt(dir.x * dir.x + dir.y * dir.y), (double)dir.z) / PRT__PI);
+    prt_real j = (prt_real)(atan2((double)dir.y, (double)dir.x) / (2 * PRT__PI)), last = t->rho[t->rho_count - 1], w[3];
+    int at[3][2], k;
+    i = prt__clamp(i * (prt_real)(t->theta_count - 1), 0, (prt_real)(t->theta_count - 1));
+    j = prt__clamp((j < 0 ? j + 1 : j) * (prt_real)t->phi_count, 0, (prt_real)t->phi_count);
+    at[0][0] = (int)i < t->theta_count - 2 ? (int)i : t->theta_count > 1 ? t->theta_count - 2 : 0;
+    at[0][1] = t->theta_count > 1 ? at[0][0] + 1 : 0;
+    w[0] = i - (prt_real)at[0][0];
+    at[1][0] = (int)j < t->phi_count ? (int)j : t->phi_count - 1;
+    at[1][1] = at[1][0] + 1 < t->phi_count ? at[1][0] + 1 : 0;
+    w[1] = j - (prt_real)at[1][0];
+    at[2][0] = prt__fiv_interval(t->rho_count, t->rho, distance);
+    at[2][1] = at[2][0] + 1 < t->rho_count ? at[2][0] + 1 : at[2][0];
+    w[2] = prt__clamp((distance - t->rho[at[2][0]]) / (t->rho[at[2][1]] - t->rho[at[2][0]]), 0, 1);
+    c.fall = distance > last && last > 0 ? (last / distance) * (last / distance) : 1;
+    for (k = 0; k < 8; k++) {
+        size_t row = (size_t)at[2][k >> 2] * (size_t)t->theta_count + (size_t)at[0][k >> 1 & 1];
+        c.at[k] = row * (size_t)t->phi_count + (size_t)at[1][k & 1];
+        c.weight[k] = (k >> 2 ? w[2] : 1 - w[2]) * (k >> 1 & 1 ? w[0] : 1 - w[0]) * (k & 1 ? w[1] : 1 - w[1]);
+    }
+    return c;
+}
+
+/* Weighted sum of the 8 samples; those inside (unless all are) and those not finite are left out. */
+PRT__STATIC void prt__fiv_blend(const prt_fiv_table *t, const prt__fiv_corners *c, prt_real *out) {
+    prt_real sum = 0, sample[9];
+    int outside = 0, k, i;
+    for (i = 0; i < 9; i++) out[i] = 0;
+    for (k = 0; k < 8; k++) outside |= c->weight[k] > 0 && (!t->inside || !t->inside[c->at[k]]);
+    for (k = 0; k < 8; k++) {
+        int good = !outside || !t->inside || !t->inside[c->at[k]];
+        memcpy(sample, &t->samples[c->at[k]], sizeof sample);
+        for (i = 0; i < 9; i++) good &= prt__finite(sample[i]);
+        if (!good) continue;
+        sum += c->weight[k];
+        for (i = 0; i < 9; i++) out[i] += c->weight[k] * sample[i];
+    }
+    for (i = 0; i < 9; i++) out[i] = sum > 0 ? prt__clamp(out[i] / sum * c->fall, -PRT__REAL_MAX, PRT__REAL_MAX) : 0;
+}
+
+PRTDEF prt_result prt_fiv_lookup(const prt_fiv_table *table, prt_vec3 from_receiver_to_centre, prt_fiv *out) {
+    prt__fiv_corners corners;
+    prt_vec3 dir;
+    prt_real distance, values[9];
+    if (!table) return PRT_ERR_NULL;
+    if (!prt__fiv_table_ok(table)) return PRT_ERR_COUNT;
+    if (!table->rho || !table->samples || !out) return PRT_ERR_NULL;
+    distance = prt__fiv_polar(from_receiver_to_centre, &dir);
+    corners = prt__fiv_corners_at(table, dir, distance);
+    prt__fiv_blend(table, &corners, values);
+    memcpy(out, values, sizeof values);
+    return PRT_OK;
+}
+
+/* An occluder from a receiver: direction, radius of its unit bounding disc, what it takes of each channel. */
+typedef struct prt__fiv_seen { prt_vec3 dir; prt_real disc2, taken[3]; } prt__fiv_seen;
+
+/* g(u): what a cap of uniform radiance takes over what it would if it faced the receiver uncut; u = 1 touches the horizon
+   from above, u = -1 from below. */
+PRT__STATIC prt_real prt__fiv_cut(prt_real u) {
+    double v = (double)u, root = sqrt((1 - v) * (1 + v));
+    return (prt_real)((v * atan2(root, -v) + root * (2 + v * v) / 3) / PRT__PI);
+}
+
+PRT__STATIC void prt__fiv_see(const prt_real *total, prt_vec3 normal, const prt_fiv_hidden *h, unsigned flags,
+                              prt__fiv_seen *seen) {
+    prt_vec3 vectors[3], dir;
+    prt_real distance = prt__fiv_polar(h->to_centre, &dir);
+    prt_real sine = h->radius < distance ? h->radius / distance : 1, up = prt__dot3(normal, dir);
+    prt_real u = prt__clamp(up / sine, -1, 1), cut = prt__fiv_cut(u) - u;
+    int k;
+    vectors[0] = h->fiv.r; vectors[1] = h->fiv.g; vectors[2] = h->fiv.b;
+    seen->dir = dir;
+    seen->disc2 = 2 * sine * sine / (1 + prt__sqrt((1 - sine) * (1 + sine)));
+    for (k = 0; k < 3; k++) {
+        prt_vec3 unit;
+        prt_real length = prt__fiv_polar(vectors[k], &unit), along = length * prt__dot3(unit, normal);
+        if (flags & PRT_FIV_PAPER_PARTIAL) along *= prt__clamp(up * distance / h->radius, -1, 1) / 2 + PRT__R(0.5);
+        else along += length * sine * cut;
+        seen->taken[k] = h->radius > 0 && u > -1 ? prt__clamp(along, 0, total[k]) : 0;
+    }
+}
+
+/* The part of two unit bounding discs' areas that lies in both, over the sum of the areas. */
+PRT__STATIC prt_real prt__fiv_lens(const prt__fiv_seen *a, const prt__fiv_seen *b) {
+    double x = (double)a->dir.x - (double)b->dir.x, y = (double)a->dir.y - (double)b->dir.y;
+    double z = (double)a->dir.z - (double)b->dir.z, d2 = x * x + y * y + z * z, d = sqrt(d2);
+    double a2 = (double)a->disc2, b2 = (double)b->disc2, ra = sqrt(a2), rb = sqrt(b2);
+    double heron = (ra + rb - d) * (ra + rb + d) * (d + ra - rb) * (d - ra + rb), s = heron > 0 ? sqrt(heron) : 0;
+    if (!(a2 + b2 > 0) || d >= ra + rb) return 0;
+    if (!(heron > 0)) return (prt_real)((a2 < b2 ? a2 : b2) / (a2 + b2));
+    return (prt_real)((a2 * atan2(s, d2 + a2 - b2) + b2 * atan2(s, d2 + b2 - a2) - s / 2) / (PRT__PI * (a2 + b2)));
+}
+
+/* Occluders of which each pair is met: those of one block with each other and with all that follow. */
+enum { PRT__FIV_BLOCK = 32 };
+
+PRT__STATIC void prt__fiv_pair(const prt__fiv_seen *a, const prt__fiv_seen *b, prt_real *twice) {
+    prt_real lens = prt__fiv_lens(a, b);
+    int k;
+    for (k = 0; k < 3; k++) {
+        prt_real both = lens * (a->taken[k] + b->taken[k]), least = a->taken[k] < b->taken[k] ? a->taken[k] : b->taken[k];
+        twice[k] += both < least ? both : least;
+    }
+}
+
+/* The occluder that stands at an index, in the form that all sources share. */
+typedef struct prt__fiv_scene {
+    const prt_fiv_hidden *hidden;              /* either these */
+    const prt_fiv_occluder *occluders;         /* or these, seen from position */
+    prt_vec3 position;
+} prt__fiv_scene;
+
+PRT__STATIC prt_fiv_hidden prt__fiv_hidden_at(const prt__fiv_scene *scene, int k) {
+    prt_fiv_hidden h;
+    const prt_fiv_occluder *o;
+    if (scene->hidden) return scene->hidden[k];
+    o = scene->occluders + k;
+    h.to_centre = prt__vec3(o->position.x - scene->position.x, o->position.y - scene->position.y,
+                            o->position.z - scene->position.z);
+    h.radius = o->table->radius;
+    prt_fiv_lookup(o->table, h.to_centre, &h.fiv);
+    return h;
+}
+
+PRT__STATIC void prt__fiv_shade(const prt__fiv_scene *scene, prt_rgb total, prt_vec3 normal, int count, unsigned flags,
+                                prt_rgb *irradiance) {
+    prt__fiv_seen block[PRT__FIV_BLOCK], one;
+    prt_real t[3], sum[3] = { 0, 0, 0 }, most[3] = { 0, 0, 0 }, twice[3] = { 0, 0, 0 };
+    int first, k, j, c;
+    t[0] = prt__clamp(total.r, 0, total.r); t[1] = prt__clamp(total.g, 0, total.g); t[2] = prt__clamp(total.b, 0, total.b);
+    for (first = 0; first < count; first += PRT__FIV_BLOCK)
+        for (k = first; k < count; k++) {
+            prt_fiv_hidden h = prt__fiv_hidden_at(scene, k);
+            if (k - first >= PRT__FIV_BLOCK && (flags & PRT_FIV_NO_OVERLAP)) break;
+            prt__fiv_see(t, normal, &h, flags, &one);
+            for (j = 0; j < PRT__FIV_BLOCK && j < k - first && !(flags & PRT_FIV_NO_OVERLAP); j++)
+                prt__fiv_pair(&block[j], &one, twice);
+            if (k - first >= PRT__FIV_BLOCK) continue;
+            block[k - first] = one;
+            for (c = 0; c < 3; c++) {
+                sum[c] += one.taken[c];
+                if (one.taken[c] > most[c]) most[c] = one.taken[c];
+            }
+        }
+    for (c = 0; c < 3; c++) {
+        prt_real taken = prt__clamp(sum[c] - twice[c], most[c], sum[c]);
+        t[c] = prt__clamp(t[c] - taken, 0, t[c]);
+    }
+    irradiance->r = t[0]; irradiance->g = t[1]; irradiance->b = t[2];
+}
+
+PRT__STATIC prt_result prt__fiv_occluders_check(int count, const prt_fiv_occluder *occluders) {
+    int k;
+    if (count < 0) return PRT_ERR_COUNT;
+    for (k = 0; k < count && occluders; k++)
+        if (occluders[k].table && !prt__fiv_table_ok(occluders[k].table)) return PRT_ERR_COUNT;
+    if (count > 0 && !occluders) return PRT_ERR_NULL;
+    for (k = 0; k < count; k++)
+        if (!occluders[k].table || !occluders[k].table->rho || !occluders[k].table->samples) return PRT_ERR_NULL;
+    return PRT_OK;
+}
+
+PRTDEF prt_result prt_fiv_shade_n(int receiver_count, const prt_rgb *totals, const prt_vec3 *positions,
+                                  const prt_vec3 *normals, int count, const prt_fiv_occluder *occluders, unsigned flags,
+                                  prt_rgb *irradiance) {
+    prt_result r;
+    prt__fiv_scene scene;
+    int k;
+    if (receiver_count < 0) return PRT_ERR_COUNT;
+    r = prt__fiv_occluders_check(count, occluders);
+    if (r != PRT_OK) return r;
+    if (receiver_count > 0 && (!totals || !positions || !normals || !irradiance)) return PRT_ERR_NULL;
+    scene.hidden = 0;
+    scene.occluders = occluders;
+    for (k = 0; k < receiver_count; k++) {
+        scene.position = positions[k];
+        prt__fiv_shade(&scene, totals[k], normals[k], count, flags, irradiance + k);
+    }
+    return PRT_OK;
+}
+
+PRTDEF prt_result prt_fiv_shade(prt_rgb total, prt_vec3 position, prt_vec3 normal, int count,
+                                const prt_fiv_occluder *occluders, unsigned flags, prt_rgb *irradiance) {
+    return prt_fiv_shade_n(1, &total, &position, &normal, count, occluders, flags, irradiance);
+}
+
+PRTDEF prt_result prt_fiv_shade_vectors(prt_rgb total, prt_vec3 normal, int count, const prt_fiv_hidden *hidden,
+                                        unsigned flags, prt_rgb *irradiance) {
+    prt__fiv_scene scene;
+    if (count < 0) return PRT_ERR_COUNT;
+    if ((count > 0 && !hidden) || !irradiance) return PRT_ERR_NULL;
+    memset(&scene, 0, sizeof scene);
+    scene.hidden = hidden;
+    prt__fiv_shade(&scene, total, normal, count, flags, irradiance);
+    return PRT_OK;
+}
+
+PRTDEF prt_result prt_fiv_self(const prt_fiv *environment, const prt_fiv_table *self, prt_vec3 local_position,
+                               prt_vec3 normal, prt_rgb *irradiance) {
+    prt_fiv hidden;
+    prt_rgb all, taken;
+    prt_result r;
+    if (!self) return PRT_ERR_NULL;
+    if (!prt__fiv_table_ok(self)) return PRT_ERR_COUNT;
+    if (!environment || !irradiance) return PRT_ERR_NULL;
+    r = prt_fiv_lookup(self, prt__vec3(-local_position.x, -local_position.y, -local_position.z), &hidden);
+    if (r != PRT_OK) return r;
+    all = prt_fiv_irradiance(environment, normal);
+    taken = prt_fiv_irradiance(&hidden, normal);
+    irradiance->r = prt__clamp(all.r - taken.r, 0, PRT__REAL_MAX);
+    irradiance->g = prt__clamp(all.g - taken.g, 0, PRT__REAL_MAX);
+    irradiance->b = prt__clamp(all.b - taken.b, 0, PRT__REAL_MAX);
+    return PRT_OK;
+}
+
+/* Place v of a row of texels, -1 ... 1, as a cell and the weight of its upper texel, which may leave 0 ... 1. */
+PRT__STATIC int prt__fiv_texel(int size, prt_real v, prt_real *weight) {
+    prt_real at = prt__clamp((v + 1) * PRT__R(0.5), 0, 1) * (prt_real)size - PRT__R(0.5);
+    int i = at > 0 ? (int)at : 0;
+    if (i > size - 2) i = size > 1 ? size - 2 : 0;
+    *weight = size > 1 ? at - (prt_real)i : 0;
+    return i;
+}
+
+PRTDEF prt_rgb prt_fiv_total(int size, const prt_rgb *total, prt_vec3 normal) {
+    prt_real x = prt__abs(normal.x), y = prt__abs(normal.y), z = prt__abs(normal.z), major, s, t, ws, wt;
+    const prt_rgb *a, *b;
+    prt_rgb out = { 0, 0, 0 };
+    size_t right = size > 1 ? 1 : 0, face;
+    int i, j;
+    if (size < 1 || !total) return out;
+    if (x >= y && x >= z) { face = normal.x < 0; major = x; s = normal.x < 0 ? normal.z : -normal.z; t = -normal.y; }
+    else if (y >= z) { face = normal.y < 0 ? 3 : 2; major = y; s = normal.x; t = normal.y < 0 ? -normal.z : normal.z; }
+    else { face = normal.z < 0 ? 5 : 4; major = z; s = normal.z < 0 ? -normal.x : normal.x; t = -normal.y; }
+    i = prt__fiv_texel(size, major > 0 ? s / major : 0, &ws);
+    j = prt__fiv_texel(size, major > 0 ? t / major : 0, &wt);
+    a = total + (face * (size_t)size + (size_t)j) * (size_t)size + (size_t)i;
+    b = a + right * (size_t)size;
+    out.r = (1 - wt) * ((1 - ws) * a[0].r + ws * a[right].r) + wt * ((1 - ws) * b[0].r + ws * b[right].r);
+    out.g = (1 - wt) * ((1 - ws) * a[0].g + ws * a[right].g) + wt * ((1 - ws) * b[0].g + ws * b[right].g);
+    out.b = (1 - wt) * ((1 - ws) * a[0].b + ws * a[right].b) + wt * ((1 - ws) * b[0].b + ws * b[right].b);
+    return out;
 }
 
 /* ---------------------------------------------------------------------------------------------------- >>vo ---- */

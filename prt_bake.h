@@ -21,9 +21,10 @@
                                    time, in any thread, process or machine, with the same bits
      4. prt_bake_error             of two bakes with different seeds: their mean, and its standard error at each point
      5. prt_shade_diffuse (prt.h)  transfer and light -> exit radiance, at run time
+     For moving occluders (prt_fiv_shade): prt_fiv_distances, prt_bake_fiv_table, prt_bake_fiv_inside, prt_bake_fiv_total.
      For vector occluders (prt_vo_shade) instead: prt_bake_vo_ao, prt_bake_vo, prt_vo_compact.
-     Rooms, by the tag to grep for: >>types, >>sample point sets, >>point bake points, >>direct transfer, >>vo vector
-     occluders.
+     Rooms, by the tag to grep for: >>types, >>sample point sets, >>point bake points, >>direct transfer, >>fiv fullsphere
+     irradiance vectors, >>vo vector occluders.
 
    A COMPLETE EXAMPLE
      #include <stdio.h>
@@ -253,6 +254,82 @@ PRTDEF prt_result prt_bake_transfer(const prt_bake_desc *desc, int point_count, 
    Errors: PRT_ERR_BANDS; PRT_ERR_COUNT; PRT_ERR_NULL (a or b with point_count > 0). Cost: one pass over both. */
 PRTDEF prt_result prt_bake_error(int bands, int point_count, const prt_real *a, const prt_real *b, prt_real *mean,
                                  prt_real *error);
+
+/* --------------------------------------------------------------------------------------------------- >>fiv ---- */
+
+/* What >>fiv of prt.h looks up: the vectors of the part of an environment that an object hides, for a grid of places of
+   the object around a receiver. */
+
+typedef struct prt_fiv_env {           /* a distant environment, zero-initialise: a cube map, or else an image */
+    int cube_size;                     /* > 0: six faces of cube_size^2 texels of 3 floats, linear, laid out and */
+    const float *faces[6];             /* oriented as for prt_sh_project_cubemap_rgb */
+    int width, height;                 /* else a latitude-longitude image, as for prt_sh_project_equirect_rgb */
+    const float *equirect;
+} prt_fiv_env;
+
+typedef struct prt_fiv_desc {          /* zero-initialise; 0 means the default in brackets */
+    int theta_count, phi_count, rho_count;   /* the grid, as in prt_fiv_table; each at least 1 */
+    const prt_real *rho;               /* [rho_count] increasing, > 0: see prt_fiv_distances */
+    prt_vec3 centre;                   /* bounding sphere of the object where the tracer has it */
+    prt_real radius;                   /* > 0 */
+    const prt_tracer *tracer;          /* `occluded` is required; `closest` for prt_bake_fiv_inside */
+    const prt_fiv_env *env;            /* required by prt_bake_fiv_table */
+    int rays;                          /* least number of rays into the cone, on average; 1: one a texel [256] */
+    prt_progress progress; void *progress_user;   /* after every sample: done of count */
+} prt_fiv_desc;
+
+/* Samples of the grid, theta_count phi_count rho_count; 0 if desc is NULL, a count is below 1, or there are more than an
+   int counts. Sample (k,i,j) stands at index (k theta_count + i) phi_count + j. */
+PRTDEF int prt_bake_fiv_count(const prt_fiv_desc *desc);
+
+/* rho[count] from nearest to farthest in geometric steps, for even error: between rho and q rho a linear interpolation
+   of 1/rho^2, the law by which distant objects hide light, errs by at most e = (1+q^-2)/2 ((1+q)/2)^2 - 1, about
+   3/4 (q-1)^2, of the value there, the same in every interval; equal steps err 4 times too much where 2 times too near.
+   q = (farthest/nearest)^(1/(count-1)): 1.07 gives .0035, 1.15 .015. With one distance it is `nearest`.
+   For objects that stand on receivers begin inside the bounding sphere, at half the radius, say; 1.05 radius will do for
+   objects that float. Beyond `farthest` the lookup falls off by the same law.
+   Errors: PRT_ERR_COUNT (count < 1); PRT_ERR_NULL; PRT_ERR_VALUE unless 0 < nearest < farthest < infinity. */
+PRTDEF prt_result prt_fiv_distances(int count, prt_real nearest, prt_real farthest, prt_real *rho);
+
+/* The vectors of samples first ... first+count-1 into the same places of samples[prt_bake_fiv_count]; no other is touched.
+     FIV = sum of L v over the texels whose centre the object hides,  v = int w dw over the texel,
+   v in closed form, half the integral of r x dr around the texel: half the sum of arc times normal over its edges. Rays
+   start from where the receiver sees the object at (theta_i, phi_j, rho_k) and go through the texels whose centres lie
+   inside the cone around the bounding sphere, no other: about c = texels (1 - sqrt(1 - (R/rho)^2))/2 of them, all where
+   rho <= R. Where c < rays a texel gets s^2 rays through the centres of its parts, s = ceil(sqrt(rays/c)) up to 16, of
+   which again only those inside the cone are traced, and its share of hits instead of all or nothing: far places are
+   then as good as near ones. What a ray hits at any distance hides.
+   The bits of a sample depend on desc and its index alone. Errors, in this order, before anything is written:
+   PRT_ERR_NULL (desc); PRT_ERR_COUNT (grid, range, sizes of env, to 16384; rays < 0);
+   PRT_ERR_NULL (rho, tracer, its occluded, env, its texels, samples); PRT_ERR_VALUE (rho not increasing from above 0,
+   radius not above 0, centre not finite); PRT_ERR_CAPACITY; PRT_ERR_MEMORY; PRT_ERR_VALUE (a texel not finite). Then
+   PRT_ERR_TRACE, PRT_ERR_CANCELLED: what is finished is valid.
+   Memory: 48 bytes a texel (float; double 96), PRT_BAKE_BATCH rays. */
+PRTDEF prt_result prt_bake_fiv_table(const prt_fiv_desc *desc, int first, int count, prt_fiv *samples);
+
+/* Which samples lie inside the object, for the same range: inside[k] = 1 where more than half of 64 rays meet the back of
+   a surface first (hit.normal along the ray), so that meshes with holes count as closed; 0 elsewhere and wherever
+   rho > radius. Uses tracer->closest. Errors: as prt_bake_fiv_table, without env. */
+PRTDEF prt_result prt_bake_fiv_inside(const prt_fiv_desc *desc, int first, int count, unsigned char *inside);
+
+/* The table made of a desc and what was baked from it; inside may be NULL. What it points to stays yours. A zero table if
+   desc is NULL. */
+PRTDEF prt_fiv_table prt_fiv_table_of(const prt_fiv_desc *desc, const prt_fiv *samples, const unsigned char *inside);
+
+/* The vectors of the whole environment (prt_fiv_self), exact: sum of L v over all texels.
+   Errors: PRT_ERR_COUNT, PRT_ERR_NULL, PRT_ERR_VALUE (a texel not finite), PRT_ERR_CAPACITY, PRT_ERR_MEMORY. */
+PRTDEF prt_result prt_bake_fiv_environment(const prt_fiv_env *env, prt_fiv *fiv);
+
+/* I_tot(N) = int L max(0, N.w) dw for count unit normals, exact for texels of constant radiance: texels that the horizon
+   cuts are clipped by it, in closed form. Cost: a multiply-add a texel and channel, and 0.3 us for each of the few that
+   the horizon cuts. Errors: as prt_bake_fiv_environment, with PRT_ERR_COUNT (count < 0), PRT_ERR_VALUE (a normal not
+   finite or not unit within 1e-3). */
+PRTDEF prt_result prt_bake_fiv_irradiance(const prt_fiv_env *env, int count, const prt_vec3 *normals, prt_rgb *total);
+
+/* The same at texels first ... first+count-1 of a cube texture total[6][size][size], to be read by prt_fiv_total or by a
+   GPU: faces and rows as in prt_sh_project_cubemap_rgb, N through the centre of the texel.
+   Errors: as prt_bake_fiv_irradiance; PRT_ERR_COUNT also for size < 1, 6 size^2 beyond an int, or a bad range. */
+PRTDEF prt_result prt_bake_fiv_total(const prt_fiv_env *env, int size, int first, int count, prt_rgb *total);
 
 /* ---------------------------------------------------------------------------------------------------- >>vo ---- */
 
@@ -1033,6 +1110,694 @@ PRTDEF prt_result prt_bake_error(int bands, int point_count, const prt_real *a, 
         if (error) error[k] = (prt_real)(sqrt(square) / 2);
     }
     return PRT_OK;
+}
+
+/* --------------------------------------------------------------------------------------------------- >>fiv ---- */
+
+/* A cell: a texel of an environment, or a part of one. Corners in order, edge k from corner k to the next; the edges of
+   latitude-longitude cells with odd k are arcs of latitude, all others of great circles. */
+typedef struct prt__cell { int latitude; double theta[4], phi[4], corner[4][3]; } prt__cell;
+
+/* How an environment is cut into cells: `faces` grids of rows x columns, of which down x across make a texel. */
+typedef struct prt__cells {
+    const prt_fiv_env *env;
+    int faces, rows, columns, down, across;
+} prt__cells;
+
+PRT__STATIC prt_result prt__cells_of(const prt_fiv_env *env, prt__cells *cells) {
+    const int most = 1 << 14;                                  /* texels along a side, so that their number fits */
+    int face;
+    if (!env) return PRT_ERR_NULL;
+    cells->env = env;
+    if (env->cube_size != 0) {
+        if (env->cube_size < 1 || env->cube_size > most) return PRT_ERR_COUNT;
+        for (face = 0; face < 6; face++) if (!env->faces[face]) return PRT_ERR_NULL;
+        cells->faces = 6;
+        cells->down = cells->across = 1;
+        cells->rows = cells->columns = env->cube_size;
+        return PRT_OK;
+    }
+    if (env->width < 1 || env->height < 1 || env->width > most || env->height > most) return PRT_ERR_COUNT;
+    if (!env->equirect) return PRT_ERR_NULL;
+    cells->faces = 1;
+    cells->down = env->height < 2 ? 2 : 1;                     /* a cell spans at most a right angle */
+    cells->across = env->width < 4 ? (3 + env->width) / env->width : 1;
+    cells->rows = env->height * cells->down;
+    cells->columns = env->width * cells->across;
+    return PRT_OK;
+}
+
+PRT__INLINE int prt__cells_count(const prt__cells *c) { return c->faces * c->rows * c->columns; }
+
+PRT__INLINE const float *prt__cell_texel(const prt__cells *c, int face, int row, int column) {
+    size_t width = (size_t)(c->columns / c->across);
+    const float *texels = c->env->cube_size != 0 ? c->env->faces[face] : c->env->equirect;
+    return texels + 3 * ((size_t)(row / c->down) * width + (size_t)(column / c->across));
+}
+
+/* The direction at place s, t, in -1 ... 1, of a cube map's face, as OpenGL has it. */
+PRT__STATIC void prt__cube_direction(int face, double s, double t, double d[3]) {
+    double sign = face & 1 ? -1 : 1, v[3];
+    int axis = face / 2;
+    v[0] = axis == 0 ? sign : axis == 1 ? s : sign * s;
+    v[1] = axis == 1 ? sign : -t;
+    v[2] = axis == 0 ? -sign * s : axis == 1 ? sign * t : sign;
+    prt__normalise(v, d);
+}
+
+PRT__STATIC void prt__polar_direction(double theta, double phi, double d[3]) {
+    d[0] = sin(theta) * cos(phi); d[1] = sin(theta) * sin(phi); d[2] = cos(theta);
+}
+
+/* The direction of a place in the grid, corners at whole numbers; its angles too where they say where it is. */
+PRT__STATIC void prt__cells_direction(const prt__cells *c, int face, double row, double column, double *theta,
+                                      double *phi, double d[3]) {
+    *theta = *phi = 0;
+    if (c->env->cube_size != 0) {
+        prt__cube_direction(face, 2 * column / c->columns - 1, 2 * row / c->rows - 1, d);
+        return;
+    }
+    *theta = PRT__PI * row / c->rows;
+    *phi = 2 * PRT__PI * column / c->columns;
+    prt__polar_direction(*theta, *phi, d);
+}
+
+PRT__STATIC void prt__cell_at(const prt__cells *c, int face, int row, int column, prt__cell *cell) {
+    int k;
+    cell->latitude = c->env->cube_size == 0;
+    for (k = 0; k < 4; k++)
+        prt__cells_direction(c, face, row + (k == 1 || k == 2), column + (k >= 2), &cell->theta[k], &cell->phi[k],
+                             cell->corner[k]);
+}
+
+/* sum += half the integral of r x dr along an arc of a great circle: half its angle times its normal. */
+PRT__STATIC void prt__add_great_arc(const double a[3], const double b[3], double sum[3]) {
+    double n[3], sine;
+    int k;
+    for (k = 0; k < 3; k++) n[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+    sine = prt__length(n);
+    if (!(sine > 0)) return;
+    for (k = 0; k < 3; k++) sum[k] += atan2(sine, prt__ddot(a, b)) / 2 / sine * n[k];
+}
+
+/* The same along a circle of latitude. */
+PRT__STATIC void prt__add_latitude_arc(double theta, double from, double to, double sum[3]) {
+    double s = sin(theta), c = cos(theta);
+    sum[0] -= c * s * (sin(to) - sin(from)) / 2;
+    sum[1] += c * s * (cos(to) - cos(from)) / 2;
+    sum[2] += s * s * (to - from) / 2;
+}
+
+/* int w dw over a cell = half the integral of r x dr around it (Stokes). The sign makes it point outwards. */
+PRT__STATIC double prt__cell_vector(const prt__cell *cell, double vector[3]) {
+    double towards = 0;
+    int k;
+    vector[0] = vector[1] = vector[2] = 0;
+    for (k = 0; k < 4; k++) {
+        if (cell->latitude && k % 2) prt__add_latitude_arc(cell->theta[k], cell->phi[k], cell->phi[(k + 1) % 4], vector);
+        else prt__add_great_arc(cell->corner[k], cell->corner[(k + 1) % 4], vector);
+    }
+    for (k = 0; k < 4; k++) towards += prt__ddot(vector, cell->corner[k]);
+    if (towards >= 0) return 1;
+    for (k = 0; k < 3; k++) vector[k] = -vector[k];
+    return -1;
+}
+
+/* A walk around a cell, over what lies above the horizon of n. Where the walk leaves that part and where it comes back,
+   the horizon closes the loop; its share n.(r x dr)/2 is half the azimuth from there to here. */
+typedef struct prt__clip { const double *n; double zero[3], side[3], sum[3], azimuth; } prt__clip;
+
+PRT__STATIC void prt__clip_cross(prt__clip *c, const double p[3], int upwards) {
+    double azimuth = atan2(prt__ddot(p, c->side), prt__ddot(p, c->zero));
+    c->azimuth += upwards ? azimuth : -azimuth;
+}
+
+PRT__STATIC void prt__clip_great_arc(prt__clip *c, const double a[3], const double b[3]) {
+    double fa = prt__ddot(c->n, a), fb = prt__ddot(c->n, b), p[3], at[3];
+    int k;
+    if ((fa > 0) == (fb > 0)) {
+        if (fa > 0) prt__add_great_arc(a, b, c->sum);
+        return;
+    }
+    for (k = 0; k < 3; k++) p[k] = (fb * a[k] - fa * b[k]) / (fb - fa);
+    prt__normalise(p, at);
+    prt__clip_cross(c, at, fb > 0);
+    if (fa > 0) prt__add_great_arc(a, at, c->sum);
+    else prt__add_great_arc(at, b, c->sum);
+}
+
+/* Where f(phi) = p cos phi + q sin phi + r changes sign between from and to, in walking order; at most two places. */
+PRT__STATIC int prt__latitude_roots(double p, double q, double r, double from, double to, double root[2]) {
+    double h = sqrt(p * p + q * q), middle = (from + to) / 2, half = fabs(to - from) / 2, peak, turn;
+    int count = 0, k;
+    if (!(fabs(r) < h)) return 0;
+    peak = atan2(q, p);
+    turn = acos(-r / h);
+    for (k = 0; k < 2; k++) {
+        double at = peak + (k ? turn : -turn);
+        at -= 2 * PRT__PI * floor((at - middle) / (2 * PRT__PI) + 0.5);
+        if (fabs(at - middle) < half) root[count++] = at;
+    }
+    if (count == 2 && (root[0] < root[1]) != (from < to)) { double t = root[0]; root[0] = root[1]; root[1] = t; }
+    return count;
+}
+
+PRT__STATIC void prt__clip_latitude_arc(prt__clip *c, double theta, double from, double to) {
+    double s = sin(theta), p = s * c->n[0], q = s * c->n[1], r = cos(theta) * c->n[2], at = from, d[3];
+    double f0 = p * cos(from) + q * sin(from) + r, f1 = p * cos(to) + q * sin(to) + r, root[2];
+    int above = f0 > 0, differ = above != (f1 > 0), count = prt__latitude_roots(p, q, r, from, to, root), k;
+    if (differ && count == 0) { root[0] = fabs(f0) < fabs(f1) ? from : to; count = 1; }     /* lost by rounding */
+    if (differ && count == 2 && fabs(f0) < fabs(f1)) root[0] = root[1];
+    if (!differ && count == 1) count = 0;
+    for (k = 0; k < (differ ? 1 : count); k++) {
+        if (above) prt__add_latitude_arc(theta, at, root[k], c->sum);
+        above = !above;
+        at = root[k];
+        prt__polar_direction(theta, at, d);
+        prt__clip_cross(c, d, above);
+    }
+    if (above) prt__add_latitude_arc(theta, at, to, c->sum);
+}
+
+/* int max(0, n.w) dw over a cell whose centre is given. */
+PRT__STATIC double prt__cell_above(const prt__cell *cell, const double n[3], const double centre[3]) {
+    double vector[3], sign = prt__cell_vector(cell, vector), along = prt__ddot(n, centre), flat[3];
+    prt__clip c;
+    int k;
+    memset(&c, 0, sizeof c);
+    c.n = n;
+    for (k = 0; k < 3; k++) flat[k] = centre[k] - along * n[k];
+    if (!prt__normalise(flat, c.zero)) return along > 0 ? prt__ddot(n, vector) : 0;
+    for (k = 0; k < 3; k++) c.side[k] = n[(k + 1) % 3] * c.zero[(k + 2) % 3] - n[(k + 2) % 3] * c.zero[(k + 1) % 3];
+    for (k = 0; k < 4; k++) {
+        if (cell->latitude && k % 2) prt__clip_latitude_arc(&c, cell->theta[k], cell->phi[k], cell->phi[(k + 1) % 4]);
+        else prt__clip_great_arc(&c, cell->corner[k], cell->corner[(k + 1) % 4]);
+    }
+    return sign * (prt__ddot(n, c.sum) + c.azimuth / 2);
+}
+
+/* The cells of an environment as the baker uses them: tile after tile, each with a cone around its directions. */
+enum { PRT__TILE = 8 };
+typedef struct prt__tile { int first, count; double axis[3], cosine, sine; } prt__tile;
+typedef struct prt__sky {
+    prt__cells cells;
+    int count, tiles;
+    double reach;                      /* no cell extends further from its centre, radians */
+    prt_vec3 *dir;                     /* [count] centres */
+    prt_fiv *vectors;                  /* [count] L int w dw */
+    int *place;                        /* [count] (face rows + row) columns + column */
+    prt__tile *tile;                   /* [tiles] */
+} prt__sky;
+
+PRT__STATIC void prt__sky_shape(prt__sky *sky) {
+    const prt__cells *c = &sky->cells;
+    int down = (c->rows + PRT__TILE - 1) / PRT__TILE, across = (c->columns + PRT__TILE - 1) / PRT__TILE;
+    double row = PRT__PI / c->rows, column = 2 * PRT__PI / c->columns;
+    sky->count = prt__cells_count(c);
+    sky->tiles = c->faces * down * across;
+    sky->reach = c->faces == 6 ? atan(sqrt(2.0) / c->rows) : sqrt(row * row + column * column) / 2;
+}
+
+PRT__STATIC size_t prt__sky_layout(prt__sky *sky, unsigned char *memory, size_t used) {
+    size_t n = (size_t)sky->count;
+    sky->dir = (prt_vec3 *)prt__carve(memory, &used, n, sizeof *sky->dir);
+    sky->vectors = (prt_fiv *)prt__carve(memory, &used, n, sizeof *sky->vectors);
+    sky->place = (int *)prt__carve(memory, &used, n, sizeof *sky->place);
+    sky->tile = (prt__tile *)prt__carve(memory, &used, (size_t)sky->tiles, sizeof *sky->tile);
+    return used;
+}
+
+PRT__STATIC prt_vec3 prt__narrow(const double v[3]) {
+    return prt__vec3((prt_real)v[0], (prt_real)v[1], (prt_real)v[2]);
+}
+PRT__STATIC prt_vec3 prt__narrow_times(const double v[3], double factor) {
+    double w[3];
+    w[0] = v[0] * factor; w[1] = v[1] * factor; w[2] = v[2] * factor;
+    return prt__narrow(w);
+}
+
+/* Appends one cell to the tile; 0 if its texel is not finite. */
+PRT__STATIC int prt__sky_add(prt__sky *sky, prt__tile *tile, int face, int row, int column) {
+    const prt__cells *c = &sky->cells;
+    const float *texel = prt__cell_texel(c, face, row, column);
+    double d[3], v[3], theta, phi;
+    int at = tile->first + tile->count++, k, finite = 1;
+    prt__cell cell;
+    prt__cell_at(c, face, row, column, &cell);
+    prt__cell_vector(&cell, v);
+    prt__cells_direction(c, face, row + 0.5, column + 0.5, &theta, &phi, d);
+    for (k = 0; k < 3; k++) {
+        tile->axis[k] += d[k];
+        finite &= prt__finite((prt_real)texel[k]);
+    }
+    sky->place[at] = (face * c->rows + row) * c->columns + column;
+    sky->dir[at] = prt__narrow(d);
+    sky->vectors[at].r = prt__narrow_times(v, (double)texel[0]);
+    sky->vectors[at].g = prt__narrow_times(v, (double)texel[1]);
+    sky->vectors[at].b = prt__narrow_times(v, (double)texel[2]);
+    return finite;
+}
+
+PRT__STATIC double prt__cosine_of_sum(double cosine, double sine, double angle) {   /* cos(a + angle), -2 beyond pi */
+    return cosine < -1 || cosine <= -cos(angle) ? -2 : cosine * cos(angle) - sine * sin(angle);
+}
+
+PRT__STATIC void prt__tile_cone(const prt__sky *sky, prt__tile *tile) {
+    double axis[3], cosine = 1;
+    int k;
+    memcpy(axis, tile->axis, sizeof axis);
+    if (!prt__normalise(axis, tile->axis)) { memset(tile->axis, 0, sizeof axis); cosine = -1; }
+    for (k = tile->first; k < tile->first + tile->count; k++) {
+        double d[3], along;
+        d[0] = (double)sky->dir[k].x; d[1] = (double)sky->dir[k].y; d[2] = (double)sky->dir[k].z;
+        along = prt__ddot(d, tile->axis);
+        if (along < cosine) cosine = along;
+    }
+    cosine = prt__cosine_of_sum(cosine, prt__root_or_0((1 - cosine) * (1 + cosine)), sky->reach);
+    tile->cosine = cosine < -1 ? -1 : cosine;
+    tile->sine = prt__root_or_0((1 - tile->cosine) * (1 + tile->cosine));
+}
+
+/* Fills the lists; 0 if a texel is not finite. */
+PRT__STATIC int prt__sky_fill(prt__sky *sky) {
+    const prt__cells *c = &sky->cells;
+    int face, top, left, row, column, tile = 0, filled = 0, finite = 1;
+    for (face = 0; face < c->faces; face++)
+        for (top = 0; top < c->rows; top += PRT__TILE)
+            for (left = 0; left < c->columns; left += PRT__TILE) {
+                prt__tile *t = &sky->tile[tile++];
+                memset(t, 0, sizeof *t);
+                t->first = filled;
+                for (row = top; row < c->rows && row < top + PRT__TILE; row++)
+                    for (column = left; column < c->columns && column < left + PRT__TILE; column++)
+                        finite &= prt__sky_add(sky, t, face, row, column);
+                filled += t->count;
+                prt__tile_cone(sky, t);
+            }
+    return finite;
+}
+
+/* The lists of an environment, in one block of memory with `extra` bytes behind them, which begin at *used. */
+PRT__STATIC prt_result prt__sky_open(prt__sky *sky, const prt_fiv_env *env, size_t extra, void **memory,
+                                     size_t *used) {
+    prt_result r = prt__cells_of(env, &sky->cells);
+    size_t size;
+    *memory = 0;
+    if (r != PRT_OK) return r;
+    prt__sky_shape(sky);
+    size = prt__sky_layout(sky, 0, PRT__LINE);
+    if (size > SIZE_MAX - extra) return PRT_ERR_CAPACITY;
+    *memory = PRT_MALLOC(size + extra);
+    if (!*memory) return PRT_ERR_MEMORY;
+    *used = prt__sky_layout(sky, (unsigned char *)*memory, PRT__LINE - (size_t)((uintptr_t)*memory % PRT__LINE));
+    if (prt__sky_fill(sky)) return PRT_OK;
+    PRT_FREE(*memory);
+    *memory = 0;
+    return PRT_ERR_VALUE;
+}
+
+/* Nine sums, r g b of x y z each, as vectors. */
+PRT__INLINE void prt__fiv_gather(double sum[9], const prt_fiv *v, double share) {
+    prt_real part[9];
+    int k;
+    memcpy(part, v, sizeof part);
+    for (k = 0; k < 9; k++) sum[k] += share * (double)part[k];
+}
+PRT__STATIC prt_fiv prt__fiv_from(const double sum[9]) {
+    prt_fiv fiv;
+    fiv.r = prt__narrow(sum); fiv.g = prt__narrow(sum + 3); fiv.b = prt__narrow(sum + 6);
+    return fiv;
+}
+
+PRTDEF prt_result prt_bake_fiv_environment(const prt_fiv_env *env, prt_fiv *fiv) {
+    prt__sky sky;
+    void *memory;
+    size_t used;
+    double sum[9] = { 0, 0, 0, 0, 0, 0, 0, 0, 0 };
+    prt_result r;
+    int k;
+    if (env && !fiv) return prt__cells_of(env, &sky.cells) == PRT_ERR_COUNT ? PRT_ERR_COUNT : PRT_ERR_NULL;
+    r = prt__sky_open(&sky, env, 0, &memory, &used);
+    if (r != PRT_OK) return r;
+    for (k = 0; k < sky.count; k++) prt__fiv_gather(sum, &sky.vectors[k], 1);
+    *fiv = prt__fiv_from(sum);
+    PRT_FREE(memory);
+    return PRT_OK;
+}
+
+/* Irradiance of one normal: cells above the horizon by their vectors, those that it may cut by what is left of them. */
+PRT__STATIC prt_rgb prt__sky_irradiance(const prt__sky *sky, const double n[3]) {
+    const prt__cells *c = &sky->cells;
+    double sum[9] = { 0, 0, 0, 0, 0, 0, 0, 0, 0 }, cut[3] = { 0, 0, 0 }, band = sin(sky->reach) + 1e-6;
+    prt_rgb out;
+    int k, i;
+    for (k = 0; k < sky->count; k++) {
+        prt_vec3 d = sky->dir[k];
+        double up = n[0] * (double)d.x + n[1] * (double)d.y + n[2] * (double)d.z, part, centre[3], theta, phi;
+        int column = sky->place[k] % c->columns, row = sky->place[k] / c->columns % c->rows;
+        int face = sky->place[k] / c->columns / c->rows;
+        prt__cell cell;
+        if (up > band) { prt__fiv_gather(sum, &sky->vectors[k], 1); continue; }
+        if (up < -band) continue;
+        prt__cell_at(c, face, row, column, &cell);
+        prt__cells_direction(c, face, row + 0.5, column + 0.5, &theta, &phi, centre);
+        part = prt__cell_above(&cell, n, centre);
+        for (i = 0; i < 3; i++) cut[i] += part * (double)prt__cell_texel(c, face, row, column)[i];
+    }
+    out.r = (prt_real)(prt__ddot(n, sum) + cut[0]);
+    out.g = (prt_real)(prt__ddot(n, sum + 3) + cut[1]);
+    out.b = (prt_real)(prt__ddot(n, sum + 6) + cut[2]);
+    return out;
+}
+
+PRTDEF prt_result prt_bake_fiv_irradiance(const prt_fiv_env *env, int count, const prt_vec3 *normals, prt_rgb *total) {
+    prt__sky sky;
+    void *memory;
+    size_t used;
+    prt_result r;
+    int k;
+    if (count < 0) return PRT_ERR_COUNT;
+    r = prt__cells_of(env, &sky.cells);
+    if (r != PRT_OK) return r;
+    if (count > 0 && (!normals || !total)) return PRT_ERR_NULL;
+    for (k = 0; k < count; k++) if (!prt__unit_within(normals[k])) return PRT_ERR_VALUE;
+    if (count == 0) return PRT_OK;
+    r = prt__sky_open(&sky, env, 0, &memory, &used);
+    for (k = 0; r == PRT_OK && k < count; k++) {
+        double v[3], n[3];
+        v[0] = (double)normals[k].x; v[1] = (double)normals[k].y; v[2] = (double)normals[k].z;
+        prt__normalise(v, n);
+        total[k] = prt__sky_irradiance(&sky, n);
+    }
+    if (r == PRT_OK) PRT_FREE(memory);
+    return r;
+}
+
+PRTDEF prt_result prt_bake_fiv_total(const prt_fiv_env *env, int size, int first, int count, prt_rgb *total) {
+    prt__sky sky;
+    void *memory;
+    size_t used;
+    prt_result r;
+    int k;
+    if (size < 1 || size > INT_MAX / 6 / size || !prt__range_ok(6 * size * size, first, count)) return PRT_ERR_COUNT;
+    r = prt__cells_of(env, &sky.cells);
+    if (r != PRT_OK) return r;
+    if (count > 0 && !total) return PRT_ERR_NULL;
+    if (count == 0) return PRT_OK;
+    r = prt__sky_open(&sky, env, 0, &memory, &used);
+    for (k = first; r == PRT_OK && k < first + count; k++) {
+        double n[3];
+        prt__cube_direction(k / size / size, (2 * (k % size) + 1.0) / size - 1, (2 * (k / size % size) + 1.0) / size - 1, n);
+        total[k] = prt__sky_irradiance(&sky, n);
+    }
+    if (r == PRT_OK) PRT_FREE(memory);
+    return r;
+}
+
+PRTDEF prt_result prt_fiv_distances(int count, prt_real nearest, prt_real farthest, prt_real *rho) {
+    double ratio;
+    int k;
+    if (count < 1) return PRT_ERR_COUNT;
+    if (!rho) return PRT_ERR_NULL;
+    if (!(nearest > 0 && farthest > nearest && prt__finite(farthest))) return PRT_ERR_VALUE;
+    ratio = log((double)farthest / (double)nearest);
+    for (k = 0; k < count; k++) rho[k] = (prt_real)((double)nearest * exp(count > 1 ? ratio * k / (count - 1) : 0));
+    if (count > 1) rho[count - 1] = farthest;
+    return PRT_OK;
+}
+
+PRTDEF int prt_bake_fiv_count(const prt_fiv_desc *desc) {
+    if (!desc || desc->theta_count < 1 || desc->phi_count < 1 || desc->rho_count < 1) return 0;
+    if (desc->theta_count > INT_MAX / desc->phi_count) return 0;
+    if (desc->theta_count * desc->phi_count > INT_MAX / desc->rho_count) return 0;
+    return desc->theta_count * desc->phi_count * desc->rho_count;
+}
+
+PRTDEF prt_fiv_table prt_fiv_table_of(const prt_fiv_desc *desc, const prt_fiv *samples, const unsigned char *inside) {
+    prt_fiv_table table;
+    memset(&table, 0, sizeof table);
+    if (!desc) return table;
+    table.theta_count = desc->theta_count;
+    table.phi_count = desc->phi_count;
+    table.rho_count = desc->rho_count;
+    table.rho = desc->rho;
+    table.radius = desc->radius;
+    table.samples = samples;
+    table.inside = inside;
+    return table;
+}
+
+/* Direction of the object from the receiver at a sample, and its distance. Exact at the poles. */
+PRT__STATIC double prt__fiv_place(const prt_fiv_desc *desc, int index, double dir[3]) {
+    int j = index % desc->phi_count, i = index / desc->phi_count % desc->theta_count;
+    int k = index / desc->phi_count / desc->theta_count;
+    prt__polar_direction(desc->theta_count > 1 ? PRT__PI * i / (desc->theta_count - 1) : 0, 2 * PRT__PI * j / desc->phi_count,
+                         dir);
+    if (i == 0 || i == desc->theta_count - 1) { dir[0] = dir[1] = 0; dir[2] = i == 0 ? 1 : -1; }
+    return (double)desc->rho[k];
+}
+
+/* Where the receiver is, in the tracer's space. */
+PRT__STATIC prt_vec3 prt__fiv_receiver(const prt_fiv_desc *desc, double distance, const double dir[3]) {
+    double v[3];
+    v[0] = (double)desc->centre.x - distance * dir[0];
+    v[1] = (double)desc->centre.y - distance * dir[1];
+    v[2] = (double)desc->centre.z - distance * dir[2];
+    return prt__narrow(v);
+}
+
+/* The checks that all bakes of a grid share. `sky`: it traces through an environment, else it asks for closest hits. */
+PRT__STATIC prt_result prt__fiv_desc_check(const prt_fiv_desc *desc, int first, int count, const void *out, int sky) {
+    int total = prt_bake_fiv_count(desc), k;
+    prt__cells cells;
+    prt_result r = PRT_OK;
+    if (!desc) return PRT_ERR_NULL;
+    if (total == 0 || !prt__range_ok(total, first, count)) return PRT_ERR_COUNT;
+    if (sky) r = desc->rays < 0 ? PRT_ERR_COUNT : prt__cells_of(desc->env, &cells);
+    if (r != PRT_OK) return r;
+    if (!desc->rho || !desc->tracer || (count > 0 && !out)) return PRT_ERR_NULL;
+    if (sky ? !desc->tracer->occluded : !desc->tracer->closest) return PRT_ERR_NULL;
+    if (!(desc->radius > 0 && prt__finite(desc->radius)) || !prt__finite3(desc->centre)) return PRT_ERR_VALUE;
+    for (k = 0; k < desc->rho_count; k++)
+        if (!(desc->rho[k] > (k ? desc->rho[k - 1] : 0) && prt__finite(desc->rho[k]))) return PRT_ERR_VALUE;
+    return PRT_OK;
+}
+
+/* A table being baked. Rays form one stream, sample after sample; the buffers hold up to PRT_BAKE_BATCH of it. */
+typedef struct prt__fiv_bake {
+    const prt_fiv_desc *desc;
+    prt_fiv *samples;
+    prt__sky sky;
+    int first, end, finished, queued;
+    double sum[9];                     /* of the sample `finished` */
+    prt_ray *rays;                     /* [PRT_BAKE_BATCH] */
+    int *cell, *owner;                 /* [PRT_BAKE_BATCH] through which cell a ray goes, and its sample */
+    double *share;                     /* [PRT_BAKE_BATCH] how much of the cell it stands for */
+    unsigned char *blocked;            /* [PRT_BAKE_BATCH] */
+} prt__fiv_bake;
+
+PRT__STATIC size_t prt__fiv_bake_layout(prt__fiv_bake *b, unsigned char *memory, size_t used) {
+    b->rays = (prt_ray *)prt__carve(memory, &used, PRT_BAKE_BATCH, sizeof *b->rays);
+    b->cell = (int *)prt__carve(memory, &used, PRT_BAKE_BATCH, sizeof *b->cell);
+    b->owner = (int *)prt__carve(memory, &used, PRT_BAKE_BATCH, sizeof *b->owner);
+    b->share = (double *)prt__carve(memory, &used, PRT_BAKE_BATCH, sizeof *b->share);
+    b->blocked = (unsigned char *)prt__carve(memory, &used, PRT_BAKE_BATCH, 1);
+    return used;
+}
+
+/* Finishes samples up to `next`, which is the next to receive light. */
+PRT__STATIC prt_result prt__fiv_finish(prt__fiv_bake *b, int next) {
+    const prt_fiv_desc *desc = b->desc;
+    while (b->finished < next) {
+        b->samples[b->finished++] = prt__fiv_from(b->sum);
+        memset(b->sum, 0, sizeof b->sum);
+        if (desc->progress && desc->progress(desc->progress_user, b->finished - b->first, b->end - b->first))
+            return PRT_ERR_CANCELLED;
+    }
+    return PRT_OK;
+}
+
+PRT__STATIC prt_result prt__fiv_drain(prt__fiv_bake *b) {
+    const prt_tracer *tracer = b->desc->tracer;
+    prt_result r = PRT_OK;
+    int k;
+    if (b->queued == 0) return PRT_OK;
+    memset(b->blocked, 0, (size_t)b->queued);
+    if (tracer->occluded(tracer->user, b->queued, b->rays, b->blocked)) return PRT_ERR_TRACE;
+    for (k = 0; r == PRT_OK && k < b->queued; k++) {
+        if (b->owner[k] != b->finished) r = prt__fiv_finish(b, b->owner[k]);
+        if (b->blocked[k]) prt__fiv_gather(b->sum, &b->sky.vectors[b->cell[k]], b->share[k]);
+    }
+    b->queued = 0;
+    return r;
+}
+
+/* A sample being traced: the cone around the bounding sphere, cosine -2 where it is everything, and texels in split^2. */
+typedef struct prt__fiv_look {
+    double axis[3], cosine, sine, share, near;  /* near: cosine of the cone with the reach of a cell around it */
+    prt_vec3 toward;
+    prt_real limit;
+    prt_ray ray;
+    int index, split;
+} prt__fiv_look;
+
+enum { PRT__FIV_RAYS = 256 };
+
+PRT__STATIC void prt__fiv_look_at(const prt__fiv_bake *b, int index, prt__fiv_look *look) {
+    const prt_fiv_desc *desc = b->desc;
+    double distance = prt__fiv_place(desc, index, look->axis), radius = (double)desc->radius, cells = b->sky.count, split;
+    int inside = !(distance > radius);
+    look->cosine = inside ? -2 : sqrt((distance - radius) * (distance + radius)) / distance;
+    look->sine = inside ? 0 : radius / distance;
+    if (!inside) cells *= look->sine * look->sine / (1 + look->cosine) / 2;
+    split = ceil(sqrt((desc->rays ? desc->rays : (int)PRT__FIV_RAYS) / cells));
+    look->split = desc->rays == 1 || split < 1 ? 1 : split < 16 ? (int)split : 16;
+    look->share = 1.0 / look->split / look->split;
+    look->near = look->split == 1 ? look->cosine : prt__cosine_of_sum(look->cosine, look->sine, b->sky.reach);
+    look->toward = prt__narrow(look->axis);
+    look->limit = (prt_real)look->cosine - 8 * PRT__EPS;
+    look->ray.origin = prt__fiv_receiver(desc, distance, look->axis);
+    look->ray.tmin = 0;
+    look->ray.tmax = PRT__R(FLT_MAX);
+    look->index = index;
+}
+
+PRT__STATIC prt_result prt__fiv_trace(prt__fiv_bake *b, prt__fiv_look *look, int cell, prt_vec3 dir) {
+    if (prt__dot3(dir, look->toward) < look->limit) return PRT_OK;
+    look->ray.dir = dir;
+    b->rays[b->queued] = look->ray;
+    b->cell[b->queued] = cell;
+    b->share[b->queued] = look->share;
+    b->owner[b->queued++] = look->index;
+    return b->queued == PRT_BAKE_BATCH ? prt__fiv_drain(b) : PRT_OK;
+}
+
+PRT__STATIC prt_result prt__fiv_trace_parts(prt__fiv_bake *b, prt__fiv_look *look, int cell) {
+    const prt__cells *c = &b->sky.cells;
+    int place = b->sky.place[cell], column = place % c->columns, row = place / c->columns % c->rows, p, q;
+    int face = place / c->columns / c->rows;
+    double d[3], theta, phi, step = 1.0 / look->split;
+    prt_result r = PRT_OK;
+    for (p = 0; p < look->split; p++)
+        for (q = 0; r == PRT_OK && q < look->split; q++) {
+            prt__cells_direction(c, face, row + (p + 0.5) * step, column + (q + 0.5) * step, &theta, &phi, d);
+            r = prt__fiv_trace(b, look, cell, prt__narrow(d));
+        }
+    return r;
+}
+
+PRT__INLINE int prt__fiv_meets(const prt__fiv_look *look, const prt__tile *t) {
+    double both = look->cosine * t->cosine - look->sine * t->sine;
+    return look->cosine < -1 || t->cosine <= -look->cosine || prt__ddot(look->axis, t->axis) >= both - 1e-6;
+}
+
+PRT__STATIC prt_result prt__fiv_sample(prt__fiv_bake *b, int index) {
+    prt__fiv_look look;
+    prt_result r = PRT_OK;
+    int t, k;
+    prt__fiv_look_at(b, index, &look);
+    for (t = 0; t < b->sky.tiles; t++) {
+        const prt__tile *tile = &b->sky.tile[t];
+        if (!prt__fiv_meets(&look, tile)) continue;
+        for (k = tile->first; r == PRT_OK && k < tile->first + tile->count; k++) {
+            if (look.split == 1) r = prt__fiv_trace(b, &look, k, b->sky.dir[k]);
+            else if ((double)prt__dot3(b->sky.dir[k], look.toward) >= look.near - 1e-6) r = prt__fiv_trace_parts(b, &look, k);
+        }
+    }
+    return r;
+}
+
+PRTDEF prt_result prt_bake_fiv_table(const prt_fiv_desc *desc, int first, int count, prt_fiv *samples) {
+    prt__fiv_bake b;
+    prt_result r = prt__fiv_desc_check(desc, first, count, samples, 1);
+    size_t extra, used;
+    void *memory;
+    int k;
+    if (r != PRT_OK || count == 0) return r;
+    memset(&b, 0, sizeof b);
+    b.desc = desc;
+    b.samples = samples;
+    b.first = b.finished = first;
+    b.end = first + count;
+    extra = prt__fiv_bake_layout(&b, 0, PRT__LINE);
+    r = prt__sky_open(&b.sky, desc->env, extra, &memory, &used);
+    if (r != PRT_OK) return r;
+    prt__fiv_bake_layout(&b, (unsigned char *)memory, used);
+    for (k = first; r == PRT_OK && k < b.end; k++) r = prt__fiv_sample(&b, k);
+    if (r == PRT_OK) r = prt__fiv_drain(&b);
+    if (r == PRT_OK) r = prt__fiv_finish(&b, b.end);
+    PRT_FREE(memory);
+    return r;
+}
+
+/* Rays by which a sample decides whether it lies inside. */
+enum { PRT__FIV_FEELERS = 64, PRT__FIV_FEELING = 16 };
+
+/* The next samples that may lie inside, at most PRT__FIV_FEELING, are asked; returns the first that was not looked at. */
+PRT__STATIC int prt__fiv_feel(const prt_fiv_desc *desc, const prt_vec3 *dirs, int at, int end, prt_ray *rays, int *asked,
+                              int *count) {
+    int k;
+    *count = 0;
+    for (; at < end && *count < PRT__FIV_FEELING; at++) {
+        double dir[3], distance = prt__fiv_place(desc, at, dir);
+        prt_ray ray;
+        if (distance > (double)desc->radius) continue;
+        ray.origin = prt__fiv_receiver(desc, distance, dir);
+        ray.tmin = 0;
+        ray.tmax = PRT__R(FLT_MAX);
+        for (k = 0; k < PRT__FIV_FEELERS; k++) {
+            ray.dir = dirs[k];
+            rays[*count * PRT__FIV_FEELERS + k] = ray;
+        }
+        asked[(*count)++] = at;
+    }
+    return at;
+}
+
+PRT__STATIC unsigned char prt__fiv_enclosed(const prt_ray *rays, const prt_hit *hits) {
+    int back = 0, k;
+    for (k = 0; k < PRT__FIV_FEELERS; k++) back += hits[k].object >= 0 && prt__dot3(rays[k].dir, hits[k].normal) > 0;
+    return 2 * back > PRT__FIV_FEELERS;
+}
+
+PRT__STATIC prt_result prt__fiv_inside_range(const prt_fiv_desc *desc, int first, int end, prt_ray *rays, prt_hit *hits,
+                                             unsigned char *inside) {
+    const prt_tracer *tracer = desc->tracer;
+    prt_vec3 dirs[PRT__FIV_FEELERS];
+    int asked[PRT__FIV_FEELING], at = first, done = first, count, k;
+    for (k = 0; k < PRT__FIV_FEELERS; k++) {
+        prt_real u, v;
+        prt_sample_square(PRT_SAMPLE_FIBONACCI, PRT__FIV_FEELERS, 0, 0, k, 1, &u, &v);
+        dirs[k] = prt_sample_sphere(u, v);
+    }
+    while (done < end) {
+        at = prt__fiv_feel(desc, dirs, at, end, rays, asked, &count);
+        for (k = 0; k < count * PRT__FIV_FEELERS; k++) hits[k].object = -1;
+        if (count > 0 && tracer->closest(tracer->user, count * PRT__FIV_FEELERS, rays, hits)) return PRT_ERR_TRACE;
+        for (k = 0; done < at; done++) {
+            int felt = k < count && asked[k] == done;
+            inside[done] = felt ? prt__fiv_enclosed(rays + k * PRT__FIV_FEELERS, hits + k * PRT__FIV_FEELERS) : 0;
+            k += felt;
+            if (desc->progress && desc->progress(desc->progress_user, done - first + 1, end - first)) return PRT_ERR_CANCELLED;
+        }
+    }
+    return PRT_OK;
+}
+
+PRTDEF prt_result prt_bake_fiv_inside(const prt_fiv_desc *desc, int first, int count, unsigned char *inside) {
+    prt_result r = prt__fiv_desc_check(desc, first, count, inside, 0);
+    size_t used = 0, size, n = PRT__FIV_FEELERS * PRT__FIV_FEELING;
+    unsigned char *memory;
+    if (r != PRT_OK || count == 0) return r;
+    prt__carve(0, &used, n, sizeof(prt_ray));
+    size = used + n * sizeof(prt_hit);
+    memory = (unsigned char *)PRT_MALLOC(size);
+    if (!memory) return PRT_ERR_MEMORY;
+    memset(memory, 0, size);
+    r = prt__fiv_inside_range(desc, first, first + count, (prt_ray *)(void *)memory, (prt_hit *)(void *)(memory + used),
+                              inside);
+    PRT_FREE(memory);
+    return r;
 }
 
 /* ---------------------------------------------------------------------------------------------------- >>vo ---- */
