@@ -91,6 +91,9 @@ want "test"       glslang-tools            cmd glslangValidator
 want "test"       spirv-tools              cmd spirv-val
 want "test"       spirv-cross              cmd spirv-cross
 want "test"       npm                      cmd npm
+want "test"       libvulkan-dev            hdr vulkan/vulkan.h
+want "test"       mesa-vulkan-drivers      test -e /usr/share/vulkan/icd.d/lvp_icd.x86_64.json
+want "test"       chromium                 cmd chromium
 
 read -ra packages <<<"$(printf '%s\n' "${missing[@]}" "${optional[@]}" | sort -u | tr '\n' ' ')"
 if [ $list = 1 ]; then printf '%s\n' "${packages[@]}"; exit 0; fi

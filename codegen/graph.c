@@ -163,6 +163,8 @@ node k_min(kernel *k, node a, node b) { return a < b ? intern(k, OP_MIN, a, b, 0
 node k_max(kernel *k, node a, node b) { return a < b ? intern(k, OP_MAX, a, b, 0) : intern(k, OP_MAX, b, a, 0); }
 node k_sin(kernel *k, node a) { return intern(k, OP_SIN, a, 0, 0); }
 node k_cos(kernel *k, node a) { return intern(k, OP_COS, a, 0, 0); }
+node k_pow(kernel *k, node a, node b) { return intern(k, OP_POW, a, b, 0); }
+node k_abs(kernel *k, node a) { return k_max(k, a, k_neg(k, a)); }
 node k_select(kernel *k, node a, node b, node c, node d) { return c == d ? c : intern4(k, OP_SELECT, a, b, c, d, 0); }
 node k_scale(kernel *k, xreal factor, node a) { return k_mul(k, k_const(k, factor), a); }
 node k_madd(kernel *k, node a, node b, node c) { return k_add(k, k_mul(k, a, b), c); }
@@ -212,8 +214,47 @@ op_count kernel_operations(const kernel *k) {
         case OP_MUL: c.multiplications++; break;
         case OP_DIV: c.divisions++; break;
         case OP_SQRT: c.roots++; break;
-        case OP_MIN: case OP_MAX: case OP_SELECT: case OP_SIN: case OP_COS: c.others++; break;
+        case OP_MIN: case OP_MAX: case OP_POW: case OP_SELECT: case OP_SIN: case OP_COS: c.others++; break;
         }
     }
     return c;
+}
+
+/* ---- live values ---- */
+
+/* Steps of time in which nodes are made, depth first from the outputs, as they are printed; 0: not yet */
+typedef struct schedule { int *made, *last, time; } schedule;
+
+static void visit(const kernel *k, node n, schedule *s) {
+    const node_data *d = &k->nodes[n];
+    node operand[4];
+    int i;
+    if (d->op == OP_CONST || s->made[n]) return;
+    operand[0] = d->a; operand[1] = d->b; operand[2] = d->c; operand[3] = d->d;
+    for (i = 0; i < op_operands(d->op); i++) visit(k, operand[i], s);
+    s->made[n] = ++s->time;
+    for (i = 0; i < op_operands(d->op); i++) s->last[operand[i]] = s->time;
+}
+
+int kernel_live_values(const kernel *k) {
+    int *ends = (int *)calloc((size_t)k->node_count + 2, sizeof *ends), live = 0, most = 0, i;
+    schedule s;
+    s.made = (int *)calloc((size_t)k->node_count, sizeof *s.made);
+    s.last = (int *)calloc((size_t)k->node_count, sizeof *s.last);
+    s.time = 0;
+    if (!ends || !s.made || !s.last) { fprintf(stderr, "prt_codegen: out of memory\n"); exit(1); }
+    for (i = 0; i < k->output_count; i++) {
+        node n = k->outputs[i].value;
+        visit(k, n, &s);
+        if (s.last[n] <= s.time) s.last[n] = s.time + 1;
+    }
+    for (i = 0; i < k->node_count; i++)
+        if (s.made[i]) ends[s.last[i]]++;              /* its register is free for the value made in that step */
+    for (i = 1; i <= s.time; i++) {
+        int peak = live + 1 - (ends[i] > 0);
+        live += 1 - ends[i];
+        if (peak > most) most = peak;
+    }
+    free(ends); free(s.made); free(s.last);
+    return most;
 }

@@ -11,7 +11,7 @@
 typedef int node;                                      /* index into kernel.nodes */
 
 typedef enum node_op {
-    OP_CONST, OP_INPUT, OP_ADD, OP_SUB, OP_MUL, OP_DIV, OP_NEG, OP_SQRT, OP_SIN, OP_COS, OP_MIN, OP_MAX,
+    OP_CONST, OP_INPUT, OP_ADD, OP_SUB, OP_MUL, OP_DIV, OP_NEG, OP_SQRT, OP_SIN, OP_COS, OP_MIN, OP_MAX, OP_POW,
     OP_SELECT                                          /* a < b ? c : d */
 } node_op;
 
@@ -44,7 +44,7 @@ typedef struct kernel {
 } kernel;
 
 /* Operations of a finished kernel. fused: additions whose operand is a product that nothing else uses; others: minima,
-   maxima, selections, sines and cosines. */
+   maxima, selections, powers, sines and cosines. */
 typedef struct op_count { int multiplications, additions, fused, divisions, roots, others, loads, stores; } op_count;
 
 kernel  *kernel_new(const char *name, const char *summary);
@@ -54,6 +54,7 @@ void     kernel_output(kernel *k, int to, int element, node value);
 void     kernel_count_uses(kernel *k);
 int      op_operands(node_op op);                      /* how many of a, b, c, d it has; 0 for constants and inputs */
 op_count kernel_operations(const kernel *k);           /* after kernel_count_uses */
+int      kernel_live_values(const kernel *k);          /* likewise: registers for it in the order in which it is printed */
 
 node k_const(kernel *k, xreal value);
 node k_scalar(kernel *k, int from);                    /* the parameter of this index */
@@ -68,6 +69,8 @@ node k_min(kernel *k, node a, node b);
 node k_max(kernel *k, node a, node b);
 node k_sin(kernel *k, node a);
 node k_cos(kernel *k, node a);
+node k_pow(kernel *k, node a, node b);                 /* a >= 0 */
+node k_abs(kernel *k, node a);
 node k_select(kernel *k, node a, node b, node c, node d);                 /* a < b ? c : d */
 node k_scale(kernel *k, xreal factor, node a);         /* factor * a */
 node k_madd(kernel *k, node a, node b, node c);        /* a * b + c */

@@ -70,7 +70,7 @@ kernel *describe_sh_cone(int bands) {
     node angle = k_scalar(k, kernel_param(k, "half_angle", PARAM_SCALAR, 0)), pi = k_const(k, x_pi());
     node rest = k_sub(k, angle, k_const(k, x_pi() / 2));                           /* > 0: wider than a hemisphere */
     node narrow = k_max(k, k_min(k, angle, k_sub(k, pi, angle)), k_const(k, 0));   /* float rounds pi up */
-    node sine = k_sin(k, narrow), half = k_sin(k, k_scale(k, x_ratio(1, 2), narrow)), factor[64];
+    node sine = k_sine(k, narrow), half = k_sine(k, k_scale(k, x_ratio(1, 2), narrow)), factor[64];
     cap_factors(k, bands, k_mul(k, sine, sine), k_scale(k, 2, k_mul(k, half, half)), rest, factor);
     zonal_light(k, bands, a, factor);
     return k;

@@ -29,6 +29,7 @@ static void column(kernel *k, const basis *b, int bands, int m, node z, node z2,
         xreal alpha = a4 * cubic / (slope * slope), gamma = alpha * offset * offset - a4 * linear * offset / slope;
         xreal beta = 2 * alpha * offset - a4 * linear / slope - b->c(m + 4, m);
         node u = p[m + 2];
+        if (beta < 1e-25L && beta > -1e-25L) beta = 0;             /* it vanishes for some m of CH, but for rounding */
         p[m + 4] = k_add(k, k_mul(k, u, k_add(k, k_scale(k, alpha, u), k_const(k, beta))), k_const(k, gamma));
     }
     for (l = m + 5; l < bands; l++)

@@ -6,7 +6,8 @@
 #include <stdio.h>
 #include "graph.h"
 
-enum { FORM_ONE = 1, FORM_LANES = 2, FORM_SWEPT = 4 }; /* forms that prt.h needs of a family: see language.h */
+/* Forms that prt.h needs of a family (see language.h), and the text in every language */
+enum { FORM_ONE = 1, FORM_LANES = 2, FORM_SWEPT = 4, FORM_HEADER = FORM_ONE | FORM_LANES | FORM_SWEPT, FORM_TEXT = 8 };
 
 typedef struct family {
     const char *name;                                  /* as after --emit, and as in prt.h */
@@ -25,6 +26,10 @@ kernel *describe_eval(const basis *b, int bands);
 void sh_values(kernel *k, int bands, node x, node y, node z, node *values);        /* values[bands^2] = Y(l,m)(x,y,z) */
 kernel *named_kernel(const char *family, const char *what, int bands);             /* "family_bands": "what, bands bands" */
 kernel *describe_at(const basis *b, int bands);
+
+/* Polynomials within 3e-11 and 5e-9 of the function (approximate.c) */
+node k_sine(kernel *k, node angle);                    /* |angle| <= pi/2 */
+node k_arc_cosine(kernel *k, node cosine);             /* clamped to -1 ... 1 */
 
 factor sh_factor_a, ch_factor_a, ch_factor_c;
 kernel *describe_sh_eval(int bands);

@@ -85,8 +85,8 @@ static void store_c(FILE *to, const param *p, int element, const char *value, in
 }
 
 const dialect dialect_header = {
-    "c", "/* ", " */", "const prt_real %s = ", "prt__min", "prt__max", "prt__sqrt", "prt__sin", "prt__cos", "%s < %s ? %s : %s",
-    21, "PRT__R(", ")", open_header, load_c, store_c, NULL, 0, NULL
+    "c", "/* ", " */", "const prt_real %s = ", "prt__min", "prt__max", "prt__sqrt", "prt__sin", "prt__cos", "prt__pow", "%s < %s ? %s : %s",
+    21, "PRT__R(", ")", open_header, load_c, store_c, NULL, 0, NULL, ""
 };
 
 static void open_header_lanes(FILE *to, const kernel *k, const char *name) {
@@ -124,7 +124,7 @@ static void store_header_lanes(FILE *to, const param *p, int element, const char
 
 const dialect dialect_header_lanes = {
     "c", "/* ", " */", "const prt__vec %s = ", "prt__vec_min", "prt__vec_max", "prt__vec_sqrt", "prt__vec_sin", "prt__vec_cos",
-    "%s < %s ? %s : %s", 21, "PRT__R(", ")", open_header_lanes, load_header_lanes, store_header_lanes, NULL, 0, NULL
+    "prt__vec_pow", "%s < %s ? %s : %s", 21, "PRT__R(", ")", open_header_lanes, load_header_lanes, store_header_lanes, NULL, 0, NULL, ""
 };
 
 /* Swept: the kernel is inlined once a sweep with constant bounds on the number of the store, which leaves of it just what
@@ -167,7 +167,7 @@ static void close_header_swept(FILE *to, const kernel *k, const char *name) {
 
 const dialect dialect_header_swept = {
     "c", "/* ", " */", "const prt__vec %s = ", "prt__vec_min", "prt__vec_max", "prt__vec_sqrt", "prt__vec_sin", "prt__vec_cos",
-    "%s < %s ? %s : %s", 21, "PRT__R(", ")", open_header_swept, load_header_lanes, store_header_swept, close_header_swept, 0, NULL
+    "prt__vec_pow", "%s < %s ? %s : %s", 21, "PRT__R(", ")", open_header_swept, load_header_lanes, store_header_swept, close_header_swept, 0, NULL, ""
 };
 
 /* ---- languages to embed in other programs: c, glsl, hlsl, wgsl, metal ---- */
@@ -234,63 +234,79 @@ static void store_wgsl(FILE *to, const param *p, int element, const char *value,
     fprintf(to, "    (*%s)[%d] = %s;\n", safe_name(p->name), element, value);
 }
 
-#define DIALECT(id, language, signature_, declare_, select_, const_close_, load_, store_, result3_)                        \
-    static void open_##id(FILE *to, const kernel *k, const char *name) { open_signature(to, k, name, &signature_); }       \
-    static const dialect dialect_##id = { language, "// ", "", declare_, "min", "max", "sqrt", "sin", "cos", select_, 9, "", \
-                                          const_close_, open_##id, load_, store_, NULL, 1, result3_ };
-
 #define TERNARY "%s < %s ? %s : %s"
+#define WGSL_SELECT "select(%4$s, %3$s, %1$s < %2$s)"
 
-static const signature signature_c = {
-    "static void %s(", "static float %s(", "static void %s(", ") {\n", ") {\n", ") {\n",
-    "float %s", "const float %s[3]", "const float %s[%d]", "float %s[%d]", 0
-};
-static void open_c(FILE *to, const kernel *k, const char *name) {
-    open_signature(to, k, name, &signature_c);
-    print_unused(to, k, 0);
-}
-static const dialect dialect_c = {
-    "c", "/* ", " */", "const float %s = ", "fminf", "fmaxf", "sqrtf", "sinf", "cosf", TERNARY, 9, "", "f",
-    open_c, load_plain_c, store_shader, NULL, 1, NULL
-};
+/* One dialect of a shading language: what it prints before the functions, a conversion where functions are of float alone
+   (glslang's for half in HLSL), a declaration, how constants end. */
+#define DIALECT(id, language, preamble, round, signature_, declare_, select_, const_close_, store_, result3_)                 \
+    static void open_##id(FILE *to, const kernel *k, const char *name) { open_signature(to, k, name, &signature_); }   \
+    static const dialect dialect_##id = {                                                                              \
+        language, "// ", "", declare_, round "min", round "max", round "sqrt", round "sin", round "cos", round "pow",   \
+        select_, 9, "", const_close_,                                                                                  \
+        open_##id, load_shader, store_, NULL, 1, result3_, preamble };
+
+/* C's functions of float serve _Float16 too: the conversion rounds what they return. */
+#define C_DIALECT(id, real, preamble, round, const_close_)                                                             \
+    static const signature signature_##id = {                                                                          \
+        "static void %s(", "static " real " %s(", "static void %s(", ") {\n", ") {\n", ") {\n",                        \
+        real " %s", "const " real " %s[3]", "const " real " %s[%d]", real " %s[%d]", 0 };                              \
+    static void open_##id(FILE *to, const kernel *k, const char *name) {                                               \
+        open_signature(to, k, name, &signature_##id);                                                                  \
+        print_unused(to, k, 0);                                                                                        \
+    }                                                                                                                  \
+    static const dialect dialect_##id = {                                                                              \
+        "c", "/* ", " */", "const " real " %s = ", round "fminf", round "fmaxf", round "sqrtf", round "sinf",          \
+        round "cosf", round "powf", TERNARY, 9, "", const_close_, open_##id, load_plain_c, store_shader, NULL, 1,      \
+        NULL, preamble };
+C_DIALECT(c, "float", "#include <math.h>\n", "", "f")
+C_DIALECT(c_float16, "_Float16", "#include <math.h>\n", "(_Float16)", "f16")
 
 #define GLSL_SIGNATURE(real, vec3) {                                                                          \
     "void %s(", real " %s(", vec3 " %s(", ") {\n", ") {\n", ") {\n",                                          \
     real " %s", vec3 " %s", real " %s[%d]", "out " real " %s[%d]", 1 }
 static const signature signature_glsl = GLSL_SIGNATURE("float", "vec3");
 static const signature signature_glsl_half = GLSL_SIGNATURE("mediump float", "mediump vec3");
-DIALECT(glsl, "glsl", signature_glsl, "float %s = ", TERNARY, "", load_shader, store_shader, "vec3(%s, %s, %s)")
-DIALECT(glsl_half, "glsl", signature_glsl_half, "mediump float %s = ", TERNARY, "", load_shader, store_shader, "vec3(%s, %s, %s)")
+static const signature signature_glsl_float16 = GLSL_SIGNATURE("float16_t", "f16vec3");
+DIALECT(glsl, "glsl", "", "", signature_glsl, "float %s = ", TERNARY, "", store_shader, "vec3(%s, %s, %s)")
+DIALECT(glsl_half, "glsl", "", "", signature_glsl_half, "mediump float %s = ", TERNARY, "", store_shader, "vec3(%s, %s, %s)")
+DIALECT(glsl_float16, "glsl", "#extension GL_EXT_shader_explicit_arithmetic_types_float16 : require\n", "", signature_glsl_float16, "float16_t %s = ", TERNARY, "hf", store_shader, "f16vec3(%s, %s, %s)")
 
 static const signature signature_hlsl = GLSL_SIGNATURE("float", "float3");
 static const signature signature_hlsl_half = GLSL_SIGNATURE("min16float", "min16float3");
-DIALECT(hlsl, "hlsl", signature_hlsl, "float %s = ", TERNARY, "f", load_shader, store_shader, "float3(%s, %s, %s)")
-DIALECT(hlsl_half, "hlsl", signature_hlsl_half, "min16float %s = ", TERNARY, "f", load_shader, store_shader, "min16float3(%s, %s, %s)")
+static const signature signature_hlsl_float16 = GLSL_SIGNATURE("half", "half3");
+DIALECT(hlsl, "hlsl", "", "", signature_hlsl, "float %s = ", TERNARY, "f", store_shader, "float3(%s, %s, %s)")
+DIALECT(hlsl_half, "hlsl", "", "", signature_hlsl_half, "min16float %s = ", TERNARY, "f", store_shader, "min16float3(%s, %s, %s)")
+DIALECT(hlsl_float16, "hlsl", "", "(half)", signature_hlsl_float16, "half %s = ", TERNARY, "h", store_shader, "half3(%s, %s, %s)")
 
 #define METAL_SIGNATURE(real, vec3) {                                                                         \
     "static inline void %s(", "static inline " real " %s(", "static inline " vec3 " %s(", ") {\n", ") {\n", ") {\n", \
     real " %s", vec3 " %s", "thread const " real " *%s", "thread " real " *%s", 1 }
+#define METAL_PREAMBLE "#include <metal_stdlib>\nusing namespace metal;\n"
 static const signature signature_metal = METAL_SIGNATURE("float", "float3");
 static const signature signature_metal_half = METAL_SIGNATURE("half", "half3");
-DIALECT(metal, "metal", signature_metal, "const float %s = ", TERNARY, "f", load_shader, store_shader, "float3(%s, %s, %s)")
-DIALECT(metal_half, "metal", signature_metal_half, "const half %s = ", TERNARY, "h", load_shader, store_shader, "half3(%s, %s, %s)")
+DIALECT(metal, "metal", METAL_PREAMBLE, "", signature_metal, "const float %s = ", TERNARY, "f", store_shader, "float3(%s, %s, %s)")
+DIALECT(metal_half, "metal", METAL_PREAMBLE, "", signature_metal_half, "const half %s = ", TERNARY, "h", store_shader, "half3(%s, %s, %s)")
 
 #define WGSL_SIGNATURE(real) {                                                                                \
     "fn %s(", "fn %s(", "fn %s(", ") {\n", ") -> " real " {\n", ") -> vec3<" real "> {\n",                    \
     "%s: " real, "%s: vec3<" real ">", "%s: array<" real ", %d>", "%s: ptr<function, array<" real ", %d>>", 1 }
 static const signature signature_wgsl = WGSL_SIGNATURE("f32");
 static const signature signature_wgsl_half = WGSL_SIGNATURE("f16");
-#define WGSL_SELECT "select(%4$s, %3$s, %1$s < %2$s)"
-DIALECT(wgsl, "wgsl", signature_wgsl, "let %s: f32 = ", WGSL_SELECT, "", load_shader, store_wgsl, "vec3<f32>(%s, %s, %s)")
-DIALECT(wgsl_half, "wgsl", signature_wgsl_half, "let %s: f16 = ", WGSL_SELECT, "", load_shader, store_wgsl, "vec3<f16>(%s, %s, %s)")
+DIALECT(wgsl, "wgsl", "", "", signature_wgsl, "let %s: f32 = ", WGSL_SELECT, "", store_wgsl, "vec3<f32>(%s, %s, %s)")
+DIALECT(wgsl_half, "wgsl", "enable f16;\n", "", signature_wgsl_half, "let %s: f16 = ", WGSL_SELECT, "", store_wgsl, "vec3<f16>(%s, %s, %s)")
 
-const dialect *find_dialect(const char *language, int half) {
-    static const dialect *const full[] = { &dialect_c, &dialect_glsl, &dialect_hlsl, &dialect_wgsl, &dialect_metal };
-    static const dialect *const halves[] = { &dialect_glsl_half, &dialect_hlsl_half, &dialect_wgsl_half, &dialect_metal_half };
-    const dialect *const *list = half ? halves : full;
-    int i, count = half ? 4 : 5;
-    for (i = 0; i < count; i++)
-        if (!strcmp(list[i]->name, language)) return list[i];
+const dialect *find_dialect(const char *language, precision p) {
+    static const dialect *const all[][PRECISIONS] = {
+        { &dialect_c, &dialect_c_float16, &dialect_c_float16 },
+        { &dialect_glsl, &dialect_glsl_half, &dialect_glsl_float16 },
+        { &dialect_hlsl, &dialect_hlsl_half, &dialect_hlsl_float16 },
+        { &dialect_wgsl, &dialect_wgsl_half, &dialect_wgsl_half },
+        { &dialect_metal, &dialect_metal_half, &dialect_metal_half }
+    };
+    size_t i;
+    for (i = 0; i < sizeof all / sizeof all[0]; i++)
+        if (!strcmp(all[i][0]->name, language)) return all[i][p];
     return NULL;
 }
 
@@ -322,6 +338,7 @@ static const char *function_name(const dialect *d, node_op op) {
     case OP_SQRT: return d->sqrt;
     case OP_SIN: return d->sin;
     case OP_COS: return d->cos;
+    case OP_POW: return d->pow;
     default: return NULL;
     }
 }

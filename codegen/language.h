@@ -10,7 +10,7 @@ typedef struct dialect {
     const char *name;                                  /* as after --lang */
     const char *comment_open, *comment_close;
     const char *declare;                               /* a temporary, with %s where its name stands */
-    const char *min, *max, *sqrt, *sin, *cos;          /* names of functions */
+    const char *min, *max, *sqrt, *sin, *cos, *pow;    /* names of functions */
     const char *select;                                /* a < b ? c : d, as printf's arguments a, b, c, d in this order */
     int digits;                                        /* significant digits of a constant */
     const char *const_open, *const_close;              /* around a constant */
@@ -20,6 +20,7 @@ typedef struct dialect {
     void (*close)(FILE *to, const kernel *k, const char *name);      /* after the closing brace; NULL: nothing */
     int returns;                                       /* results are returned, not stored through a parameter */
     const char *result3;                               /* a vector of three values; NULL: an array, stored */
+    const char *preamble;                              /* lines before the first function */
 } dialect;
 
 /* The forms that stand in prt.h: scalars, one item a call; prt__vec, PRT__LANES items a call; and prt__vec over arrays of
@@ -27,8 +28,11 @@ typedef struct dialect {
    each other from a first-level cache of 8 to 12 ways before their lines are full. */
 extern const dialect dialect_header, dialect_header_lanes, dialect_header_swept;
 
-/* The dialect of a language, c, glsl, hlsl, wgsl or metal, at full or half precision; NULL if there is none. */
-const dialect *find_dialect(const char *language, int half);
+/* half: at least 16 bits, mediump, min16float, f16, half, _Float16; float16: 16 bits exactly, GLSL's float16_t and HLSL's half */
+typedef enum precision { PRECISION_FLOAT, PRECISION_HALF, PRECISION_FLOAT16, PRECISIONS } precision;
+
+/* The dialect of a language, c, glsl, hlsl, wgsl or metal; NULL if there is none. */
+const dialect *find_dialect(const char *language, precision p);
 
 void print_kernel(FILE *to, const dialect *d, kernel *k, const char *name);
 

@@ -125,43 +125,48 @@ void prt_sh_delta(vec3 dir, out float f[16]) {
     f[15] = 0.59004359 * (dir.x * (t5 - (t6 + t6)));
 }
 
-// 1 within half_angle of axis, 4 bands: 52 multiplications, 17 additions (4 can fuse), 6 others, 16 stores
+// 1 within half_angle of axis, 4 bands: 68 multiplications, 27 additions (14 can fuse), 4 others, 16 stores
 void prt_sh_cone(vec3 axis, float half_angle, out float f[16]) {
     float t1 = half_angle - 1.57079633;
     float t2 = max(0.0, min(half_angle, 3.14159265 - half_angle));
-    float t3 = sin(0.5 * t2);
-    float t4 = 2.0 * (t3 * t3);
-    f[0] = 0.282094792 * (6.28318531 * (0.0 < t1 ? (2.0 - t4) : t4));
-    float t5 = sin(t2);
-    float t6 = 3.14159265 * (t5 * t5);
-    f[1] = t6 * (0.488602512 * axis.y);
-    f[2] = t6 * (0.488602512 * axis.z);
-    f[3] = t6 * (0.488602512 * axis.x);
-    float t7 = 1.0 - t4;
-    float t8 = t6 * t7;
-    float t9 = 0.0 < t1 ? (-t8) : t8;
-    float t10 = axis.x * axis.y;
-    float t11 = t10 + t10;
-    f[4] = t9 * (0.546274215 * t11);
-    float t12 = 1.09254843 * axis.z;
-    f[5] = t9 * (axis.y * t12);
-    float t13 = axis.z * axis.z;
-    f[6] = t9 * (0.946174696 * t13 - 0.315391565);
-    f[7] = t9 * (axis.x * t12);
-    float t14 = (axis.x + axis.y) * (axis.x - axis.y);
-    f[8] = t9 * (0.546274215 * t14);
-    float t15 = t6 * (t7 + (-0.25 * t4 - 1.25 * (t4 * t7)));
-    float t16 = axis.y * axis.y;
-    float t17 = t14 + t16;
-    f[9] = t15 * (0.59004359 * (axis.y * (t14 + (t17 + t17))));
-    float t18 = 1.44530572 * axis.z;
-    f[10] = t15 * (t11 * t18);
-    float t19 = 2.285229 * t13 - 0.457045799;
-    f[11] = t15 * (axis.y * t19);
-    f[12] = t15 * (axis.z * (1.86588166 * t13 - 1.119529));
-    f[13] = t15 * (axis.x * t19);
-    f[14] = t15 * (t14 * t18);
-    f[15] = t15 * (0.59004359 * (axis.x * (t14 - (t16 + t16))));
+    float t3 = 0.5 * t2;
+    float t4 = 0.405284735 * (t3 * t3);
+    float t5 = t4 * (-2.18474473e-6 * t4 + 0.000102021241) - 0.00298043586;
+    float t6 = t3 * (t4 * (t4 * (t4 * t5 + 0.0507338872) - 0.411233515) + 1.0);
+    float t7 = 2.0 * (t6 * t6);
+    f[0] = 0.282094792 * (6.28318531 * (0.0 < t1 ? (2.0 - t7) : t7));
+    float t8 = 0.405284735 * (t2 * t2);
+    float t9 = t8 * (-2.18474473e-6 * t8 + 0.000102021241) - 0.00298043586;
+    float t10 = t2 * (t8 * (t8 * (t8 * t9 + 0.0507338872) - 0.411233515) + 1.0);
+    float t11 = 3.14159265 * (t10 * t10);
+    f[1] = t11 * (0.488602512 * axis.y);
+    f[2] = t11 * (0.488602512 * axis.z);
+    f[3] = t11 * (0.488602512 * axis.x);
+    float t12 = 1.0 - t7;
+    float t13 = t11 * t12;
+    float t14 = 0.0 < t1 ? (-t13) : t13;
+    float t15 = axis.x * axis.y;
+    float t16 = t15 + t15;
+    f[4] = t14 * (0.546274215 * t16);
+    float t17 = 1.09254843 * axis.z;
+    f[5] = t14 * (axis.y * t17);
+    float t18 = axis.z * axis.z;
+    f[6] = t14 * (0.946174696 * t18 - 0.315391565);
+    f[7] = t14 * (axis.x * t17);
+    float t19 = (axis.x + axis.y) * (axis.x - axis.y);
+    f[8] = t14 * (0.546274215 * t19);
+    float t20 = t11 * (t12 + (-0.25 * t7 - 1.25 * (t7 * t12)));
+    float t21 = axis.y * axis.y;
+    float t22 = t19 + t21;
+    f[9] = t20 * (0.59004359 * (axis.y * (t19 + (t22 + t22))));
+    float t23 = 1.44530572 * axis.z;
+    f[10] = t20 * (t16 * t23);
+    float t24 = 2.285229 * t18 - 0.457045799;
+    f[11] = t20 * (axis.y * t24);
+    f[12] = t20 * (axis.z * (1.86588166 * t18 - 1.119529));
+    f[13] = t20 * (axis.x * t24);
+    f[14] = t20 * (t19 * t23);
+    f[15] = t20 * (0.59004359 * (axis.x * (t19 - (t21 + t21))));
 }
 
 // 1 where a sphere is seen, 4 bands: 58 multiplications, 21 additions (7 can fuse), 2 divisions, 2 square roots, 5 others, 16 stores

@@ -127,43 +127,50 @@ static inline void prt_sh_delta(float3 dir, thread float *f) {
     f[15] = 0.59004359f * (dir.x * (t5 - (t6 + t6)));
 }
 
-// 1 within half_angle of axis, 4 bands: 52 multiplications, 17 additions (4 can fuse), 6 others, 16 stores
+// 1 within half_angle of axis, 4 bands: 68 multiplications, 27 additions (14 can fuse), 4 others, 16 stores
 static inline void prt_sh_cone(float3 axis, float half_angle, thread float *f) {
     const float t1 = half_angle - 1.57079633f;
     const float t2 = max(0.0f, min(half_angle, 3.14159265f - half_angle));
-    const float t3 = sin(0.5f * t2);
-    const float t4 = 2.0f * (t3 * t3);
-    f[0] = 0.282094792f * (6.28318531f * (0.0f < t1 ? (2.0f - t4) : t4));
-    const float t5 = sin(t2);
-    const float t6 = 3.14159265f * (t5 * t5);
-    f[1] = t6 * (0.488602512f * axis.y);
-    f[2] = t6 * (0.488602512f * axis.z);
-    f[3] = t6 * (0.488602512f * axis.x);
-    const float t7 = 1.0f - t4;
-    const float t8 = t6 * t7;
-    const float t9 = 0.0f < t1 ? (-t8) : t8;
-    const float t10 = axis.x * axis.y;
-    const float t11 = t10 + t10;
-    f[4] = t9 * (0.546274215f * t11);
-    const float t12 = 1.09254843f * axis.z;
-    f[5] = t9 * (axis.y * t12);
-    const float t13 = axis.z * axis.z;
-    f[6] = t9 * (0.946174696f * t13 - 0.315391565f);
-    f[7] = t9 * (axis.x * t12);
-    const float t14 = (axis.x + axis.y) * (axis.x - axis.y);
-    f[8] = t9 * (0.546274215f * t14);
-    const float t15 = t6 * (t7 + (-0.25f * t4 - 1.25f * (t4 * t7)));
-    const float t16 = axis.y * axis.y;
-    const float t17 = t14 + t16;
-    f[9] = t15 * (0.59004359f * (axis.y * (t14 + (t17 + t17))));
-    const float t18 = 1.44530572f * axis.z;
-    f[10] = t15 * (t11 * t18);
-    const float t19 = 2.285229f * t13 - 0.457045799f;
-    f[11] = t15 * (axis.y * t19);
-    f[12] = t15 * (axis.z * (1.86588166f * t13 - 1.119529f));
-    f[13] = t15 * (axis.x * t19);
-    f[14] = t15 * (t14 * t18);
-    f[15] = t15 * (0.59004359f * (axis.x * (t14 - (t16 + t16))));
+    const float t3 = 0.5f * t2;
+    const float t4 = 0.405284735f * (t3 * t3);
+    const float t5 = t4 * (-2.18474473e-6f * t4 + 0.000102021241f) - 0.00298043586f;
+    const float t6 = t4 * (t4 * (t4 * t5 + 0.0507338872f) - 0.411233515f) + 1.0f;
+    const float t7 = t3 * t6;
+    const float t8 = 2.0f * (t7 * t7);
+    f[0] = 0.282094792f * (6.28318531f * (0.0f < t1 ? (2.0f - t8) : t8));
+    const float t9 = 0.405284735f * (t2 * t2);
+    const float t10 = t9 * (-2.18474473e-6f * t9 + 0.000102021241f) - 0.00298043586f;
+    const float t11 = t9 * (t9 * (t9 * t10 + 0.0507338872f) - 0.411233515f) + 1.0f;
+    const float t12 = t2 * t11;
+    const float t13 = 3.14159265f * (t12 * t12);
+    f[1] = t13 * (0.488602512f * axis.y);
+    f[2] = t13 * (0.488602512f * axis.z);
+    f[3] = t13 * (0.488602512f * axis.x);
+    const float t14 = 1.0f - t8;
+    const float t15 = t13 * t14;
+    const float t16 = 0.0f < t1 ? (-t15) : t15;
+    const float t17 = axis.x * axis.y;
+    const float t18 = t17 + t17;
+    f[4] = t16 * (0.546274215f * t18);
+    const float t19 = 1.09254843f * axis.z;
+    f[5] = t16 * (axis.y * t19);
+    const float t20 = axis.z * axis.z;
+    f[6] = t16 * (0.946174696f * t20 - 0.315391565f);
+    f[7] = t16 * (axis.x * t19);
+    const float t21 = (axis.x + axis.y) * (axis.x - axis.y);
+    f[8] = t16 * (0.546274215f * t21);
+    const float t22 = t13 * (t14 + (-0.25f * t8 - 1.25f * (t8 * t14)));
+    const float t23 = axis.y * axis.y;
+    const float t24 = t21 + t23;
+    f[9] = t22 * (0.59004359f * (axis.y * (t21 + (t24 + t24))));
+    const float t25 = 1.44530572f * axis.z;
+    f[10] = t22 * (t18 * t25);
+    const float t26 = 2.285229f * t20 - 0.457045799f;
+    f[11] = t22 * (axis.y * t26);
+    f[12] = t22 * (axis.z * (1.86588166f * t20 - 1.119529f));
+    f[13] = t22 * (axis.x * t26);
+    f[14] = t22 * (t21 * t25);
+    f[15] = t22 * (0.59004359f * (axis.x * (t21 - (t23 + t23))));
 }
 
 // 1 where a sphere is seen, 4 bands: 58 multiplications, 21 additions (7 can fuse), 2 divisions, 2 square roots, 5 others, 16 stores

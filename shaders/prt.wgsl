@@ -125,43 +125,48 @@ fn prt_sh_delta(dir: vec3<f32>, f: ptr<function, array<f32, 16>>) {
     (*f)[15] = 0.59004359 * (dir.x * (t5 - (t6 + t6)));
 }
 
-// 1 within half_angle of axis, 4 bands: 52 multiplications, 17 additions (4 can fuse), 6 others, 16 stores
+// 1 within half_angle of axis, 4 bands: 68 multiplications, 27 additions (14 can fuse), 4 others, 16 stores
 fn prt_sh_cone(axis: vec3<f32>, half_angle: f32, f: ptr<function, array<f32, 16>>) {
     let t1: f32 = half_angle - 1.57079633;
     let t2: f32 = max(0.0, min(half_angle, 3.14159265 - half_angle));
-    let t3: f32 = sin(0.5 * t2);
-    let t4: f32 = 2.0 * (t3 * t3);
-    (*f)[0] = 0.282094792 * (6.28318531 * (select(t4, (2.0 - t4), 0.0 < t1)));
-    let t5: f32 = sin(t2);
-    let t6: f32 = 3.14159265 * (t5 * t5);
-    (*f)[1] = t6 * (0.488602512 * axis.y);
-    (*f)[2] = t6 * (0.488602512 * axis.z);
-    (*f)[3] = t6 * (0.488602512 * axis.x);
-    let t7: f32 = 1.0 - t4;
-    let t8: f32 = t6 * t7;
-    let t9: f32 = select(t8, (-t8), 0.0 < t1);
-    let t10: f32 = axis.x * axis.y;
-    let t11: f32 = t10 + t10;
-    (*f)[4] = t9 * (0.546274215 * t11);
-    let t12: f32 = 1.09254843 * axis.z;
-    (*f)[5] = t9 * (axis.y * t12);
-    let t13: f32 = axis.z * axis.z;
-    (*f)[6] = t9 * (0.946174696 * t13 - 0.315391565);
-    (*f)[7] = t9 * (axis.x * t12);
-    let t14: f32 = (axis.x + axis.y) * (axis.x - axis.y);
-    (*f)[8] = t9 * (0.546274215 * t14);
-    let t15: f32 = t6 * (t7 + (-0.25 * t4 - 1.25 * (t4 * t7)));
-    let t16: f32 = axis.y * axis.y;
-    let t17: f32 = t14 + t16;
-    (*f)[9] = t15 * (0.59004359 * (axis.y * (t14 + (t17 + t17))));
-    let t18: f32 = 1.44530572 * axis.z;
-    (*f)[10] = t15 * (t11 * t18);
-    let t19: f32 = 2.285229 * t13 - 0.457045799;
-    (*f)[11] = t15 * (axis.y * t19);
-    (*f)[12] = t15 * (axis.z * (1.86588166 * t13 - 1.119529));
-    (*f)[13] = t15 * (axis.x * t19);
-    (*f)[14] = t15 * (t14 * t18);
-    (*f)[15] = t15 * (0.59004359 * (axis.x * (t14 - (t16 + t16))));
+    let t3: f32 = 0.5 * t2;
+    let t4: f32 = 0.405284735 * (t3 * t3);
+    let t5: f32 = t4 * (-2.18474473e-6 * t4 + 0.000102021241) - 0.00298043586;
+    let t6: f32 = t3 * (t4 * (t4 * (t4 * t5 + 0.0507338872) - 0.411233515) + 1.0);
+    let t7: f32 = 2.0 * (t6 * t6);
+    (*f)[0] = 0.282094792 * (6.28318531 * (select(t7, (2.0 - t7), 0.0 < t1)));
+    let t8: f32 = 0.405284735 * (t2 * t2);
+    let t9: f32 = t8 * (-2.18474473e-6 * t8 + 0.000102021241) - 0.00298043586;
+    let t10: f32 = t2 * (t8 * (t8 * (t8 * t9 + 0.0507338872) - 0.411233515) + 1.0);
+    let t11: f32 = 3.14159265 * (t10 * t10);
+    (*f)[1] = t11 * (0.488602512 * axis.y);
+    (*f)[2] = t11 * (0.488602512 * axis.z);
+    (*f)[3] = t11 * (0.488602512 * axis.x);
+    let t12: f32 = 1.0 - t7;
+    let t13: f32 = t11 * t12;
+    let t14: f32 = select(t13, (-t13), 0.0 < t1);
+    let t15: f32 = axis.x * axis.y;
+    let t16: f32 = t15 + t15;
+    (*f)[4] = t14 * (0.546274215 * t16);
+    let t17: f32 = 1.09254843 * axis.z;
+    (*f)[5] = t14 * (axis.y * t17);
+    let t18: f32 = axis.z * axis.z;
+    (*f)[6] = t14 * (0.946174696 * t18 - 0.315391565);
+    (*f)[7] = t14 * (axis.x * t17);
+    let t19: f32 = (axis.x + axis.y) * (axis.x - axis.y);
+    (*f)[8] = t14 * (0.546274215 * t19);
+    let t20: f32 = t11 * (t12 + (-0.25 * t7 - 1.25 * (t7 * t12)));
+    let t21: f32 = axis.y * axis.y;
+    let t22: f32 = t19 + t21;
+    (*f)[9] = t20 * (0.59004359 * (axis.y * (t19 + (t22 + t22))));
+    let t23: f32 = 1.44530572 * axis.z;
+    (*f)[10] = t20 * (t16 * t23);
+    let t24: f32 = 2.285229 * t18 - 0.457045799;
+    (*f)[11] = t20 * (axis.y * t24);
+    (*f)[12] = t20 * (axis.z * (1.86588166 * t18 - 1.119529));
+    (*f)[13] = t20 * (axis.x * t24);
+    (*f)[14] = t20 * (t19 * t23);
+    (*f)[15] = t20 * (0.59004359 * (axis.x * (t19 - (t21 + t21))));
 }
 
 // 1 where a sphere is seen, 4 bands: 58 multiplications, 21 additions (7 can fuse), 2 divisions, 2 square roots, 5 others, 16 stores

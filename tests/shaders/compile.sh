@@ -20,7 +20,7 @@ refused() { # refused NAME ARGUMENTS...: exit code not 0, one line
     else failed=1; echo "not ok $count - refused: $name"; printf '%s\n' "$output" | head -n 20; fi
 }
 
-for precision in full half; do
+for precision in float half; do
     for bands in 1 4 10; do
         "$codegen" --lang glsl --emit all --bands $bands --precision $precision -o "$folder/p.glsl" || exit 1
         for version in "330" "450" "300 es" "310 es"; do
@@ -35,6 +35,12 @@ for precision in full half; do
     done
 done
 for bands in 1 4 10; do
+    "$codegen" --lang glsl --emit all --bands $bands --precision float16 -o "$folder/p.glsl" || exit 1
+    { echo "#version 450"; cat "$folder/p.glsl"; echo "void main() {}"; } >"$folder/p.vert"
+    check "GLSL 450, float16, $bands bands" glslangValidator -V -S vert -o "$folder/p.spv" "$folder/p.vert"
+    "$codegen" --lang hlsl --emit all --bands $bands --precision float16 -o "$folder/p.hlsl" || exit 1
+    echo "[numthreads(1, 1, 1)] void main() {}" >>"$folder/p.hlsl"
+    check "HLSL, float16, $bands bands" glslangValidator -D -V --hlsl-enable-16bit-types -S comp -e main -o "$folder/p.spv" "$folder/p.hlsl"
     "$codegen" --lang c --emit all --bands $bands -o "$folder/p.c" || exit 1
     for standard in c99 c11; do
         check "C, $standard, $bands bands" cc -std=$standard -Wall -Wextra -Wpedantic -Wconversion -Werror \
@@ -45,7 +51,7 @@ check "a range of bands" "$codegen" --lang wgsl --emit sh_eval,sh_at --bands 2-5
 check "a prefix" bash -c "'$codegen' --prefix my_ --emit sh_eval | grep -q 'void my_sh_eval('"
 refused "unknown kernel"         --lang glsl --emit sh_evil
 refused "unknown language"       --lang cg --emit sh_eval
-refused "half in C"              --lang c --precision half --emit sh_eval
+refused "unknown precision"      --lang c --precision double --emit sh_eval
 refused "too many bands"         --lang glsl --bands 11 --emit sh_eval
 refused "no bands"               --lang glsl --bands 0 --emit sh_eval
 refused "words for bands"        --lang glsl --bands many --emit sh_eval

@@ -20,7 +20,15 @@ static bounded bounded_operation(node_op op, bounded a, bounded b, bounded c, bo
         break;
     case OP_DIV:                                       /* GPUs divide by a rounded reciprocal: 2.5 ulp in every API */
         r.value = a.value / b.value;
-        r.error = (a.error + fabs(r.value) * b.error) / fabs(b.value) + 2.5 * eps * fabs(r.value);
+        r.error = fabs(b.value) > b.error ? (a.error + fabs(r.value) * b.error) / (fabs(b.value) - b.error) : INFINITY;
+        r.error += 2.5 * eps * fabs(r.value);
+        break;
+    case OP_POW:                                       /* exp2(b log2(a)), 3 ulp and 3 + 2|..| ulp in every API */
+        r.value = a.value > 0 ? pow(a.value, b.value) : b.value > 0 ? 0 : 1;
+        if (a.value > a.error)
+            r.error = r.value * (fabs(b.value) * (a.error / (a.value - a.error) + 6 * eps * (1 + fabs(log2(a.value)))) +
+                                 fabs(log(a.value)) * b.error + eps * (6 + 4 * fabs(b.value * log2(a.value))));
+        else r.error = fmax(pow(a.value + a.error, fmax(b.value - b.error, 0)), r.value);
         break;
     case OP_NEG: r = a; r.value = -a.value; break;
     case OP_SQRT:                                      /* 1/inversesqrt: 2 + 2.5 ulp; near 0 the root of the error */
@@ -40,13 +48,17 @@ static bounded bounded_operation(node_op op, bounded a, bounded b, bounded c, bo
         break;
     case OP_CONST: case OP_INPUT: break;
     }
-    if (op != OP_NEG && op != OP_MIN && op != OP_MAX && op != OP_SELECT) r.error += eps * fabs(r.value);
+    if (op != OP_NEG && op != OP_MIN && op != OP_MAX && op != OP_SELECT && op != OP_POW) r.error += eps * fabs(r.value);
     return r;
 }
 
-/* inputs: the parameters' values one after the other, exact. eps: unit roundoff of the language's numbers; trig: absolute
-   error of its sine and cosine; tiny: the smallest number that it does not flush to zero (0: it flushes none). outputs: in the order of parameters and elements, as many as they have. */
-static void bound_kernel(const kernel *k, const double *inputs, double eps, double trig, double tiny, bounded *outputs) {
+/* What a language's numbers do: unit roundoff; error of a constant, the same unless the compiler truncates; absolute error
+   of sine and cosine; the smallest number that is not flushed to zero (0: none is) */
+typedef struct arithmetic { double eps, constant, trig, tiny; } arithmetic;
+
+/* inputs: the parameters' values one after the other, exact. outputs: in the order of parameters and elements, as many as
+   they have. */
+static void bound_kernel(const kernel *k, const double *inputs, arithmetic with, bounded *outputs) {
     bounded *v = (bounded *)calloc((size_t)k->node_count, sizeof *v);
     int first[8], first_out[8], i, in = 0, out = 0;
     for (i = 0; i < k->param_count; i++) {
@@ -58,10 +70,10 @@ static void bound_kernel(const kernel *k, const double *inputs, double eps, doub
     }
     for (i = 0; i < k->node_count; i++) {              /* operands stand before what uses them */
         const node_data *n = &k->nodes[i];
-        if (n->op == OP_CONST) { v[i].value = (double)n->value; v[i].error = eps * fabs(v[i].value); }
+        if (n->op == OP_CONST) { v[i].value = (double)n->value; v[i].error = with.constant * fabs(v[i].value); }
         else if (n->op == OP_INPUT) { v[i].value = inputs[first[n->a] + (n->b < 0 ? 0 : n->b)]; v[i].error = 0; }
-        else v[i] = bounded_operation(n->op, v[n->a], v[n->b], v[n->c], v[n->d], eps, trig);
-        if (fabs(v[i].value) - v[i].error < tiny) v[i].error += fmin(fabs(v[i].value), tiny);
+        else v[i] = bounded_operation(n->op, v[n->a], v[n->b], v[n->c], v[n->d], with.eps, with.trig);
+        if (fabs(v[i].value) - v[i].error < with.tiny) v[i].error += fmin(fabs(v[i].value), with.tiny);
     }
     for (i = 0; i < k->output_count; i++)
         outputs[first_out[k->outputs[i].param] + k->outputs[i].element] = v[k->outputs[i].value];

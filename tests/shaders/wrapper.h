@@ -1,5 +1,5 @@
-/* Programs around one kernel, in each language, that run it over an array of inputs: item k reads kernel_inputs values from
-   ins[k * kernel_inputs], its parameters one after the other, and writes kernel_outputs values. */
+/* Programs around one kernel, in each language, that run it over an array of inputs: item k reads kernel_inputs floats from
+   ins[k * kernel_inputs], its parameters one after the other, and writes kernel_outputs floats. */
 #ifndef PRT_SHADER_WRAPPER_H
 #define PRT_SHADER_WRAPPER_H
 
@@ -9,8 +9,13 @@
 int kernel_inputs(const kernel *k);
 int kernel_outputs(const kernel *k);
 
-/* language: c, glsl, hlsl, wgsl, metal; stage: compute (430) or fragment (330), of GLSL alone. C and Metal become a
-   function `run(ins, outs)` for one item; Metal's text as C++ with the words of metal_shim/. */
-void wrap_kernel(FILE *to, kernel *k, const char *language, const char *stage);
+/* How the program is run: GLSL, HLSL and WGSL as a compute shader, GLSL (330) also as a fragment shader; C and Metal, whose
+   text is compiled as C++ with the words of metal_shim/, as a function `run_NUMBER(ins, outs)` for one item. */
+typedef enum wrapping { WRAP_COMPUTE, WRAP_FRAGMENT, WRAP_FUNCTION } wrapping;
+
+void wrap_kernel(FILE *to, kernel *k, const char *language, precision p, wrapping how, const char *version, int number);
+
+/* What stands once at the head of a file of functions */
+void wrap_preamble(FILE *to, const char *language, precision p);
 
 #endif
