@@ -1015,6 +1015,21 @@ PRT__INLINE void prt__quad_transpose(prt__quad m[4]) {
 }
 #endif
 
+/* Whether quads fit registers, and the compiler has their shuffles */
+#if PRT__SIMD && (defined(__clang__) || __GNUC__ >= 12)
+#  ifdef PRT_DOUBLE
+#    define PRT__QUADS (PRT__VEC_BYTES >= 32)
+#  else
+#    define PRT__QUADS 1
+#  endif
+#else
+#  define PRT__QUADS 0
+#endif
+#if PRT__QUADS
+PRT__INLINE prt__quad prt__quad_load(const prt_real *from) { prt__quad v; memcpy(&v, from, sizeof v); return v; }
+PRT__INLINE void prt__quad_store(prt_real *to, prt__quad v) { memcpy(to, &v, sizeof v); }
+#endif
+
 /* ------------------------------------------------------------------------------------------------- >>types ---- */
 
 PRTDEF const char *prt_result_string(prt_result r) {
@@ -2669,33 +2684,105 @@ PRTDEF prt_result prt_sh_rotation(int bands, const prt_real rotation[9], prt_rea
 
 /* ---- blocks to vectors ---- */
 
+#if PRT__QUADS
+/* One vector at a time takes quads of a row of M times quads of f. The last of them ends with the row: what it has in
+   common with the one before is 0 in f. */
+PRT__INLINE prt__quad prt__last_quad(int size, const prt_real *f) {
+    const prt__quad one = { 0, 0, 0, 1 }, three = { 0, 1, 1, 1 };           /* sizes are odd */
+    return prt__quad_load(f + size - 4) * (size % 4 == 1 ? one : three);
+}
+
+PRT__INLINE prt__quad prt__row_times(int size, const prt_real *m, const prt__quad *f) {
+    prt__quad sum = f[0] * prt__quad_load(m);
+    int j;
+    PRT__UNROLL
+    for (j = 4; j < size; j += 4) sum += f[j / 4] * prt__quad_load(m + (j + 4 <= size ? j : size - 4));
+    return sum;
+}
+
+PRT__INLINE prt__quad prt__sum_of_each(prt__quad *sum) {
+    prt__quad_transpose(sum);
+    return (sum[0] + sum[1]) + (sum[2] + sum[3]);
+}
+
+/* out = M f for one block of odd size, 5 ... 15, known when it is compiled; f is read before anything is written. */
+PRT__INLINE void prt__block_times(int size, const prt_real *m, const prt_real *f, prt_real *out) {
+    prt__quad in[4], sum[4];
+    int r, j, rows = size % 4 == 1 ? size - 1 : size;
+    PRT__UNROLL
+    for (j = 0; j + 4 <= size; j += 4) in[j / 4] = prt__quad_load(f + j);
+    in[j / 4] = prt__last_quad(size, f);
+    PRT__UNROLL
+    for (r = 0; r < rows; r += 4) {
+        int row = r + 4 <= size ? r : size - 4;                                 /* the last may overlap */
+        PRT__UNROLL
+        for (j = 0; j < 4; j++) sum[j] = prt__row_times(size, m + (row + j) * size, in);
+        prt__quad_store(out + row, prt__sum_of_each(sum));
+    }
+    if (rows < size) {
+        sum[0] = prt__row_times(size, m + rows * size, in);
+        out[rows] = (sum[0][0] + sum[0][1]) + (sum[0][2] + sum[0][3]);
+    }
+}
+
+/* The same for any odd size >= 5. */
+PRT__STATIC void prt__block_times_any(int size, const prt_real *m, const prt_real *f, prt_real *out) {
+    prt__quad in[PRT_MAX_BANDS / 2 + 2], sum[4];
+    int r, j, k;
+    for (j = 0; j + 4 <= size; j += 4) in[j / 4] = prt__quad_load(f + j);
+    in[j / 4] = prt__last_quad(size, f);
+    for (r = 0; r < size; r += 4) {
+        int row = r + 4 <= size ? r : size - 4;
+        const prt_real *rows = m + row * size;
+        PRT__UNROLL
+        for (k = 0; k < 4; k++) sum[k] = in[0] * prt__quad_load(rows + k * size);
+        for (j = 4; j < size; j += 4) {
+            int at = j + 4 <= size ? j : size - 4;
+            PRT__UNROLL
+            for (k = 0; k < 4; k++) sum[k] += in[j / 4] * prt__quad_load(rows + k * size + at);
+        }
+        prt__quad_store(out + row, prt__sum_of_each(sum));
+    }
+}
+#else
 /* out = M f for one block, four rows at a time. */
-PRT__STATIC void prt__block_times(int size, const prt_real *m, const prt_real *PRT__RESTRICT f,
-                                  prt_real *PRT__RESTRICT out) {
+PRT__STATIC void prt__block_times_any(int size, const prt_real *m, const prt_real *f, prt_real *out) {
+    prt_real in[2 * PRT_MAX_BANDS];
     int r, j;
+    memcpy(in, f, (size_t)size * sizeof *f);                                    /* so that out may be f */
     for (r = 0; r + 4 <= size; r += 4, m += 4 * size) {
         prt_real a = 0, b = 0, c = 0, d = 0;
         for (j = 0; j < size; j++) {
-            a += m[j] * f[j];
-            b += m[size + j] * f[j];
-            c += m[2 * size + j] * f[j];
-            d += m[3 * size + j] * f[j];
+            a += m[j] * in[j];
+            b += m[size + j] * in[j];
+            c += m[2 * size + j] * in[j];
+            d += m[3 * size + j] * in[j];
         }
         out[r] = a; out[r + 1] = b; out[r + 2] = c; out[r + 3] = d;
     }
     for (; r < size; r++, m += size)
-        for (out[r] = 0, j = 0; j < size; j++) out[r] += m[j] * f[j];
+        for (out[r] = 0, j = 0; j < size; j++) out[r] += m[j] * in[j];
 }
+#endif
 
 PRTDEF prt_result prt_sh_rotate_by(int bands, const prt_real *blocks, const prt_real *f, prt_real *out) {
-    prt_real band[2 * PRT_MAX_BANDS];
-    int l;
+    prt_real x, y, z;
+    int l, first = 2;
     if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
     if (!blocks || !f || !out) return PRT_ERR_NULL;
-    for (l = 0; l < bands; l++) {
-        memcpy(band, f + l * l, (size_t)(2 * l + 1) * sizeof *f);           /* so that out may be f */
-        prt__block_times(2 * l + 1, blocks + prt__block_offset(l), band, out + l * l);
-    }
+    out[0] = blocks[0] * f[0];
+    if (bands == 1) return PRT_OK;
+    x = f[1]; y = f[2]; z = f[3];
+    for (l = 1; l < 4; l++) out[l] = blocks[3 * l - 2] * x + blocks[3 * l - 1] * y + blocks[3 * l] * z;
+#if PRT__QUADS
+    first = 6;
+    if (bands > 2) prt__block_times(5, blocks + prt__block_offset(2), f + 4, out + 4);
+    if (bands > 3) prt__block_times(7, blocks + prt__block_offset(3), f + 9, out + 9);
+    if (bands > 4) prt__block_times(9, blocks + prt__block_offset(4), f + 16, out + 16);
+    if (bands > 5) prt__block_times(11, blocks + prt__block_offset(5), f + 25, out + 25);
+#endif
+    for (l = first; l < bands; l++)
+        prt__block_times_any(2 * l + 1, blocks + prt__block_offset(l), f + l * l, out + l * l);
     return PRT_OK;
 }
 
@@ -3184,16 +3271,7 @@ typedef void prt__rotate_kernel(const prt_real *r, const prt_real *turn, const p
 static prt__rotate_kernel prt__sh_rotate_2, prt__sh_rotate_3, prt__sh_rotate_4, prt__sh_rotate_5, prt__sh_rotate_6,
                           prt__sh_rotate_7, prt__sh_rotate_8;
 
-/* The same in SIMD, four coefficients at once, where the compiler has the shuffles. */
-#if PRT__SIMD && (defined(__clang__) || __GNUC__ >= 12)
-#  ifdef PRT_DOUBLE
-#    define PRT__QUADS (PRT__VEC_BYTES >= 32)
-#  else
-#    define PRT__QUADS 1
-#  endif
-#else
-#  define PRT__QUADS 0
-#endif
+/* The same in SIMD, four coefficients at once. */
 #if PRT__QUADS
 #define PRT__QUAD_SHUFFLE(a, b, i, j, k, l) __builtin_shufflevector(a, b, i, j, k, l)
 #  ifdef PRT_DOUBLE
@@ -3201,8 +3279,6 @@ typedef int64_t prt__quad_mask __attribute__((vector_size(32)));
 #  else
 typedef int32_t prt__quad_mask __attribute__((vector_size(16)));
 #  endif
-PRT__INLINE prt__quad prt__quad_load(const prt_real *from) { prt__quad v; memcpy(&v, from, sizeof v); return v; }
-PRT__INLINE void prt__quad_store(prt_real *to, prt__quad v) { memcpy(to, &v, sizeof v); }
 
 /* A band in four classes: from band 4 on even_cos = { c0 c2 c4 c6 }, odd_cos = { c1 c3 c5 c7 }, even_sin = { - s2 s4 s6 },
    odd_sin = { s1 s3 s5 s7 }, with s_m the coefficient of (l,-m). Bands 3 and 2 share one set: { c0 c2, c0 c2 },
