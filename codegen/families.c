@@ -21,5 +21,8 @@ const family families[] = {
     { "shade_diffuse", 1, 10, FORM_TEXT, describe_shade_diffuse },
     { "sh_product", 1, 6, FORM_ONE | FORM_LANES | FORM_TEXT, describe_sh_product },
     { "sh_square", 1, 5, FORM_ONE | FORM_TEXT, describe_sh_square },
+    { "sh_rows", 3, 8, FORM_NODES | FORM_BLOCK, describe_sh_rows },
+    { "sh_terms", 3, 8, FORM_NODES, describe_sh_terms },
+    { "row_product", 3, 8, FORM_BLOCK, describe_row_product },
 };
 const int family_count = (int)(sizeof families / sizeof families[0]);

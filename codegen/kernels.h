@@ -7,7 +7,10 @@
 #include "graph.h"
 
 /* Forms that prt.h needs of a family (see language.h), and the text in every language */
-enum { FORM_ONE = 1, FORM_LANES = 2, FORM_SWEPT = 4, FORM_HEADER = FORM_ONE | FORM_LANES | FORM_SWEPT, FORM_TEXT = 8 };
+enum {
+    FORM_ONE = 1, FORM_LANES = 2, FORM_SWEPT = 4, FORM_NODES = 16, FORM_BLOCK = 32,
+    FORM_HEADER = FORM_ONE | FORM_LANES | FORM_SWEPT | FORM_NODES | FORM_BLOCK, FORM_TEXT = 8
+};
 
 typedef struct family {
     const char *name;                                  /* as after --emit, and as in prt.h */
@@ -53,7 +56,11 @@ kernel *describe_sh_rotate(int bands);
 void print_swaps(FILE *to);                            /* tables and code of the swap of y and z, four lanes */
 kernel *describe_sh_product(int bands);
 kernel *describe_sh_square(int bands);
+kernel *describe_sh_rows(int bands);
+kernel *describe_sh_terms(int bands);
+kernel *describe_row_product(int bands);
 
 void print_grid_tables(FILE *to, int bands);           /* table_grid.c */
+void print_node_tables(FILE *to, int bands);
 
 #endif

@@ -170,6 +170,35 @@ const dialect dialect_header_swept = {
     "prt__vec_pow", "%s < %s ? %s : %s", 21, "PRT__R(", ")", open_header_swept, load_header_lanes, store_header_swept, close_header_swept, 0, NULL, ""
 };
 
+static void open_header_rows(FILE *to, const kernel *k, const char *name, const char *tail, const char *coefficients) {
+    int i, column = fprintf(to, "PRT__INLINE void %s%s(", name, tail);
+    for (i = 0; i < k->param_count; i++) {
+        const param *p = &k->params[i];
+        column = next_parameter(to, column, i == 0);
+        if (p->kind == PARAM_OUTPUT) column += fprintf(to, "prt__vec *PRT__RESTRICT %s", p->name);
+        else if (!strcmp(p->name, "q")) column += fprintf(to, "const prt_real *q");
+        else column += fprintf(to, "const %s *%s", !strcmp(p->name, "f") ? coefficients : "prt__vec", p->name);
+    }
+    fprintf(to, ") {\n");
+}
+static void open_header_nodes(FILE *to, const kernel *k, const char *name) { open_header_rows(to, k, name, "", "prt_real"); }
+static void open_header_block(FILE *to, const kernel *k, const char *name) { open_header_rows(to, k, name, "_v", "prt__vec"); }
+
+static void load_header_rows(char *text, size_t size, const param *p, int element) {
+    if (strcmp(p->name, "q")) load_c(text, size, p, element);
+    else if (element) snprintf(text, size, "prt__vec_load(q + %d * PRT__NODES)", element);
+    else snprintf(text, size, "prt__vec_load(q)");
+}
+
+const dialect dialect_header_nodes = {
+    "c", "/* ", " */", "const prt__vec %s = ", "prt__vec_min", "prt__vec_max", "prt__vec_sqrt", "prt__vec_sin", "prt__vec_cos",
+    "prt__vec_pow", "%s < %s ? %s : %s", 21, "PRT__R(", ")", open_header_nodes, load_header_rows, store_c, NULL, 0, NULL, ""
+};
+const dialect dialect_header_block = {
+    "c", "/* ", " */", "const prt__vec %s = ", "prt__vec_min", "prt__vec_max", "prt__vec_sqrt", "prt__vec_sin", "prt__vec_cos",
+    "prt__vec_pow", "%s < %s ? %s : %s", 21, "PRT__R(", ")", open_header_block, load_header_rows, store_c, NULL, 0, NULL, ""
+};
+
 /* ---- languages to embed in other programs: c, glsl, hlsl, wgsl, metal ---- */
 
 /* Words that some language keeps for itself take another name in all of them. */

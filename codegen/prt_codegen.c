@@ -58,6 +58,8 @@ static void print_header_forms(FILE *to, const family *f, int bands) {
     if (f->forms & FORM_ONE) print_kernel(to, &dialect_header, k, name);
     if (f->forms & FORM_LANES) print_kernel(to, &dialect_header_lanes, k, name);
     if (f->forms & FORM_SWEPT) print_kernel(to, &dialect_header_swept, k, name);
+    if (f->forms & FORM_NODES) print_kernel(to, &dialect_header_nodes, k, name);
+    if (f->forms & FORM_BLOCK) print_kernel(to, &dialect_header_block, k, name);
     kernel_free(k);
 }
 
@@ -98,6 +100,11 @@ static int print_table(FILE *to, const request *r) {
         print_grid_tables(to, r->count);
         return 0;
     }
+    if (!strcmp(r->table, "nodes")) {
+        if (r->last_bands < 3 || r->last_bands > 6) return fail("table", r->table, "give --bands from 3-3 to 3-6");
+        print_node_tables(to, r->last_bands);
+        return 0;
+    }
     if (!strcmp(r->table, "ch_steps")) {
         if (r->first_bands < 2 || r->first_bands > 200) return fail("table", r->table, "give --bands from 2 to 200");
         print_ch_table(to, "a", ch_factor_a, r->first_bands);
@@ -108,7 +115,7 @@ static int print_table(FILE *to, const request *r) {
         print_swaps(to);
         return 0;
     }
-    if (strcmp(r->table, "roots")) return fail("unknown table", r->table, "use roots, ch_steps, grids or swap_yz");
+    if (strcmp(r->table, "roots")) return fail("unknown table", r->table, "use roots, ch_steps, grids, nodes or swap_yz");
     if (r->count < 2 || r->count > 100000) return fail("table", r->table, "give --count from 2 to 100000");
     print_root_table(to, "roots", "sqrt(k)", r->count, 0);
     print_root_table(to, "inverse_roots", "1/sqrt(k), and 0", r->count, 1);

@@ -1,4 +1,4 @@
-/* Tables of the product grids of prt.h (room >>product): nodes, weights, sines. */
+/* Tables of the product grids of prt.h (room >>product): nodes, weights, sines; factors at nodes. */
 #include "kernels.h"
 
 typedef struct table_printer { FILE *to; int column; } table_printer;
@@ -44,6 +44,61 @@ static void print_sines(FILE *to, int bands) {
                last * last + 2 * last);
     for (q = 1; q <= last; q++)
         for (k = 0; k <= 2 * q; k++) table_entry(&t, x_sin(x_pi() * k / (4 * q)), q == last && k == 2 * q);
+}
+
+/* ---- factors of the product kernels at their nodes: kernel_nodes.c ---- */
+
+/* The part in z of Y(l,m) at z >= 0, without sqrt 2 of m = 0 */
+static xreal harmonic(int l, int m, xreal z) {
+    xreal p1 = x_sqrt((m ? 2 : 1) / (4 * x_pi())), p2 = 0, s = x_sqrt(1 - z * z);
+    int k;
+    for (k = 1; k <= m; k++) p1 *= s * x_sqrt(x_ratio(2L * k + 1, 2L * k));
+    for (k = m + 1; k <= l; k++) {
+        xreal a = x_sqrt(x_ratio(4L * k * k - 1, (long)k * k - (long)m * m));
+        xreal b = x_sqrt(x_ratio((long)(k - 1) * (k - 1) - (long)m * m, 4L * (k - 1) * (k - 1) - 1));
+        xreal p = a * (z * p1 - b * p2);
+        p2 = p1;
+        p1 = p;
+    }
+    return p1;
+}
+
+static xreal cube_root(xreal v) {                                  /* 0 < v < 8 */
+    xreal r = 1;
+    int i;
+    for (i = 0; i < 40; i++) r = (2 * r + v / (r * r)) / 3;
+    return r;
+}
+
+/* One row for each l and m: the factor at the nodes z >= 0, which the macro repeats, or negates, for those at -z. The
+   equator, which stands on both sides, has half its weight; what is left of a row is 0. */
+static void print_node_table(FILE *to, int bands) {
+    int pairs = grid_quarter(bands), most = bands == 3 ? 2 : 4, l, m, i;
+    fprintf(to, "/* factors of the product of %d bands at %d nodes z >= 0 and their mirror images */\n", bands, pairs);
+    fprintf(to, "PRT__STATIC const prt_real *prt__nodes_%d(void) {\n    static const prt_real table[%d][PRT__NODES] "
+                "PRT__ALIGNED = {\n", bands, bands * (bands + 1) / 2);
+    for (l = 0; l < bands; l++)
+        for (m = 0; m <= l; m++) {
+            fprintf(to, "        PRT__%s_%d(", (l - m) & 1 ? "ODD" : "EVEN", most);
+            for (i = 0; i < most; i++) {
+                char text[64];
+                xreal z, w, q = 0;
+                if (i < pairs) {
+                    x_gauss((3 * bands - 1) / 2, i, &z, &w);
+                    if (!(z > 0)) { z = 0; w /= 2; }
+                    q = harmonic(l, m, z) * cube_root(w * x_pi() / 2) * (m ? 1 : 2);
+                }
+                x_print(q, 20, text);
+                fprintf(to, "%s%s", i ? ", " : "", text);
+            }
+            fprintf(to, ")%s\n", l + 1 == bands && m == l ? "" : ",");
+        }
+    fprintf(to, "    };\n    return table[0];\n}\n\n");
+}
+
+void print_node_tables(FILE *to, int bands) {
+    int n;
+    for (n = 3; n <= bands; n++) print_node_table(to, n);
 }
 
 void print_grid_tables(FILE *to, int bands) {
