@@ -918,11 +918,13 @@ extern "C" {
 #  define PRT__EPS DBL_EPSILON
 #  define PRT__REAL_MAX DBL_MAX
 #  define PRT__REAL_MIN DBL_MIN
+#  define PRT__REAL_MIN DBL_MIN
 PRT__INLINE prt_real prt__sqrt(prt_real v) { return sqrt(v); }
 PRT__INLINE prt_real prt__sign(prt_real v) { return copysign(1.0, v); }
 #else
 #  define PRT__EPS FLT_EPSILON
 #  define PRT__REAL_MAX FLT_MAX
+#  define PRT__REAL_MIN FLT_MIN
 #  define PRT__REAL_MIN FLT_MIN
 PRT__INLINE prt_real prt__sqrt(prt_real v) { return sqrtf(v); }
 PRT__INLINE prt_real prt__sign(prt_real v) { return copysignf(1.0f, v); }
@@ -988,6 +990,49 @@ PRT__INLINE prt__vec prt__vec_set(prt_real s) {                /* s in every lan
     return s - zero;
 #else
     return s;
+#endif
+}
+
+/* a in the lanes where the comparison m holds, else b. */
+#if PRT__SIMD
+#  ifdef PRT_DOUBLE
+typedef int64_t prt__chosen __attribute__((vector_size(PRT__VEC_BYTES)));
+#  else
+typedef int32_t prt__chosen __attribute__((vector_size(PRT__VEC_BYTES)));
+#  endif
+PRT__INLINE prt__vec prt__vec_select(prt__chosen m, prt__vec a, prt__vec b) {
+    return (prt__vec)(((prt__chosen)a & m) | ((prt__chosen)b & ~m));
+}
+#else
+typedef int prt__chosen;
+PRT__INLINE prt__vec prt__vec_select(prt__chosen m, prt__vec a, prt__vec b) { return m ? a : b; }
+#endif
+#define PRT__SELECT(m, a, b) prt__vec_select((prt__chosen)(m), a, b)
+
+/* Square root, of negative values and NaN 0. By an instruction where the loop below is slow: a compiler may not widen
+   sqrt, which reports errors through errno, and <immintrin.h> would take longer to read than this header. */
+PRT__INLINE prt__vec prt__vec_root(prt__vec v) {
+    prt__vec zero = prt__vec_set(0);
+    v = PRT__SELECT(v > zero, v, zero);
+#if PRT__SIMD && defined(__SSE2__)
+#  if defined(__AVX__) && defined(PRT_DOUBLE)
+    __asm__("vsqrtpd %1, %0" : "=v"(v) : "v"(v));
+#  elif defined(__AVX__)
+    __asm__("vsqrtps %1, %0" : "=v"(v) : "v"(v));
+#  elif defined(PRT_DOUBLE)
+    __asm__("sqrtpd %1, %0" : "=x"(v) : "x"(v));
+#  else
+    __asm__("sqrtps %1, %0" : "=x"(v) : "x"(v));
+#  endif
+    return v;
+#else
+    {
+        prt_real all[PRT__LANES];
+        int k;
+        prt__vec_store(all, v);
+        for (k = 0; k < PRT__LANES; k++) all[k] = prt__sqrt(all[k]);
+        return prt__vec_load(all);
+    }
 #endif
 }
 
@@ -5067,30 +5112,102 @@ PRTDEF prt_rgb prt_fiv_irradiance(const prt_fiv *fiv, prt_vec3 normal) {
 
 /* Numbers of either kind within low ... high; NaN becomes low. */
 PRT__INLINE prt_real prt__clamp(prt_real v, prt_real low, prt_real high) { return v > low ? v < high ? v : high : low; }
+PRT__INLINE prt__vec prt__vec_clamp(prt__vec v, prt__vec low, prt__vec high) {
+    return PRT__SELECT(v > low, PRT__SELECT(v < high, v, high), low);
+}
+PRT__INLINE prt__vec prt__vec_least(prt__vec a, prt__vec b) { return PRT__SELECT(a < b, a, b); }
+PRT__INLINE prt__vec prt__vec_most(prt__vec a, prt__vec b) { return PRT__SELECT(a > b, a, b); }
+PRT__INLINE prt__vec prt__vec_abs(prt__vec v) { return PRT__SELECT(v < 0, -v, v); }
 
-/* A vector's length and direction; components are first brought within what a square root of a sum can hold. */
-PRT__STATIC prt_real prt__fiv_polar(prt_vec3 v, prt_vec3 *unit) {
-    const prt_real most = PRT__REAL_MAX / 4;
-    prt_real x = prt__clamp(v.x, -most, most), y = prt__clamp(v.y, -most, most), z = prt__clamp(v.z, -most, most);
-    prt_real big = prt__abs(x) > prt__abs(y) ? prt__abs(x) : prt__abs(y), length;
-    if (prt__abs(z) > big) big = prt__abs(z);
-    *unit = prt__vec3(0, 1, 0);
-    if (!(big > 0)) return 0;
-    x /= big; y /= big; z /= big;
-    length = prt__sqrt(x * x + y * y + z * z);
-    *unit = prt__vec3(x / length, y / length, z / length);
-    return big * length;
+/* The angle of (x,y) in 0 ... pi, for y >= 0; pi/2 for (0,0). The smaller of |x|, y over the larger, above tan(pi/8) turned
+   by pi/4, through a polynomial in its square: Chebyshev interpolation of atan(sqrt u)/sqrt u to 2e-8, or 3e-17. */
+PRT__STATIC prt__vec prt__vec_angle(prt__vec y, prt__vec x) {
+#ifdef PRT_DOUBLE
+    static const prt_real c[11] = { 0.999999999999999965, -0.333333333333284386, 0.199999999988551101,
+        -0.142857141809764668, 0.111111061804559452, -0.0909077307480841379, 0.0768995349630685776,
+        -0.0664023393042940859, 0.0568834922680901048, -0.0434805221571646248, 0.0211353731576932452 };
+    enum { TERMS = 11 };
+#else
+    static const prt_real c[5] = { 0.999999981264611121f, -0.333327857719248436f, 0.199740824155076671f,
+        -0.138484902122692077f, 0.0797629180679455791f };
+    enum { TERMS = 5 };
+#endif
+    prt__vec ax = prt__vec_abs(x), low = prt__vec_least(ax, y), high = prt__vec_most(ax, y), z, u, p;
+    prt__chosen turned = low > high * PRT__R(0.41421356237309504880);
+    int k;
+    high = prt__vec_most(high, prt__vec_set(PRT__REAL_MIN));
+    z = PRT__SELECT(turned, low - high, low) / PRT__SELECT(turned, low + high, high);
+    u = z * z;
+    p = prt__vec_set(c[TERMS - 1]);
+    for (k = TERMS - 2; k >= 0; k--) p = p * u + c[k];
+    z = z * p;
+    z = PRT__SELECT(turned, z + PRT__R(PRT__PI / 4), z);
+    z = PRT__SELECT(ax > y, z, PRT__R(PRT__PI / 2) - z);
+    return PRT__SELECT(x < 0, PRT__R(PRT__PI) - z, z);
 }
 
-/* The 8 samples around a place, their weights, and the fall-off beyond the last distance. */
-typedef struct prt__fiv_corners { size_t at[8]; prt_real weight[8]; prt_real fall; } prt__fiv_corners;
+/* Directions and distances, a receiver a lane. */
+typedef struct prt__fiv_polar { prt__vec x, y, z, distance; } prt__fiv_polar;
+
+/* Components are first brought within what a square root of a sum can hold; the zero vector is given the direction +y. */
+PRT__STATIC prt__fiv_polar prt__fiv_polar_of(prt__vec x, prt__vec y, prt__vec z) {
+    const prt__vec most = prt__vec_set(PRT__REAL_MAX / 4), zero = prt__vec_set(0);
+    prt__fiv_polar p;
+    prt__vec big, length;
+    x = prt__vec_clamp(x, -most, most);
+    y = prt__vec_clamp(y, -most, most);
+    z = prt__vec_clamp(z, -most, most);
+    big = prt__vec_most(prt__vec_most(prt__vec_abs(x), prt__vec_abs(y)), prt__vec_abs(z));
+    y = PRT__SELECT(big > 0, y, prt__vec_set(1));
+    big = PRT__SELECT(big > 0, big, zero);
+    length = PRT__SELECT(big > 0, big, prt__vec_set(1));
+    x = x / length; y = y / length; z = z / length;
+    length = prt__vec_root(x * x + y * y + z * z);
+    p.x = x / length; p.y = y / length; p.z = z / length;
+    p.distance = big * length;
+    return p;
+}
+PRT__INLINE prt__vec prt__fiv_dot(const prt__fiv_polar *p, prt__vec x, prt__vec y, prt__vec z) {
+    return p->x * x + p->y * y + p->z * z;
+}
+
+/* A grid of places, of whatever is kept at them. */
+typedef struct prt__fiv_grid {
+    int theta_count, phi_count, rho_count;
+    const prt_real *rho;
+    const unsigned char *inside;
+} prt__fiv_grid;
 
 PRT__STATIC int prt__fiv_table_ok(const prt_fiv_table *t) {
     return t->theta_count >= 1 && t->phi_count >= 1 && t->rho_count >= 1;
 }
 
+PRT__INLINE prt__fiv_grid prt__fiv_grid_of(const prt_fiv_table *t) {
+    prt__fiv_grid g;
+    g.theta_count = t->theta_count; g.phi_count = t->phi_count; g.rho_count = t->rho_count;
+    g.rho = t->rho;
+    g.inside = t->inside;
+    return g;
+}
+
+/* Where lanes stand in a grid: theta and phi in units of its steps. */
+typedef struct prt__fiv_coordinates { prt_real theta[PRT__LANES], phi[PRT__LANES], distance[PRT__LANES]; } prt__fiv_coordinates;
+
+PRT__STATIC void prt__fiv_coordinates_of(const prt__fiv_grid *g, const prt__fiv_polar *p, prt__fiv_coordinates *c) {
+    prt__vec theta = prt__vec_angle(prt__vec_root(p->x * p->x + p->y * p->y), p->z);
+    prt__vec phi = prt__vec_angle(prt__vec_abs(p->y), p->x), zero = prt__vec_set(0);
+    prt_real rows = (prt_real)(g->theta_count - 1), columns = (prt_real)g->phi_count;
+    phi = PRT__SELECT(p->y < 0, PRT__R(2 * PRT__PI) - phi, phi);
+    prt__vec_store(c->theta, prt__vec_clamp(theta * (rows / PRT__R(PRT__PI)), zero, prt__vec_set(rows)));
+    prt__vec_store(c->phi, prt__vec_clamp(phi * (columns / PRT__R(2 * PRT__PI)), zero, prt__vec_set(columns)));
+    prt__vec_store(c->distance, p->distance);
+}
+
+/* The 8 samples around a place and their weights, the fall-off beyond the last distance among them. */
+typedef struct prt__fiv_corners { size_t at[8]; prt_real weight[8]; } prt__fiv_corners;
+
 /* The interval of rho that holds a distance, by bisection: ends whatever the order of rho is. */
-PRT__STATIC int prt__fiv_interval(int count, const prt_real *rho, prt_real distance) {
+PRT__INLINE int prt__fiv_interval(int count, const prt_real *rho, prt_real distance) {
     int low = 0, high = count - 1;
     while (high - low > 1) {
         int middle = low + (high - low) / 2;
@@ -5099,158 +5216,263 @@ PRT__STATIC int prt__fiv_interval(int count, const prt_real *rho, prt_real dista
     return low;
 }
 
-PRT__STATIC prt__fiv_corners prt__fiv_corners_at(const prt_fiv_table *t, prt_vec3 dir, prt_real distance) {
-    prt__fiv_corners c;
-    prt_real i = (prt_real)(atan2((double)prt__sqrt(dir.x * dir.x + dir.y * dir.y), (double)dir.z) / PRT__PI);
-    prt_real j = (prt_real)(atan2((double)dir.y, (double)dir.x) / (2 * PRT__PI)), last = t->rho[t->rho_count - 1], w[3];
-    int at[3][2], k;
-    i = prt__clamp(i * (prt_real)(t->theta_count - 1), 0, (prt_real)(t->theta_count - 1));
-    j = prt__clamp((j < 0 ? j + 1 : j) * (prt_real)t->phi_count, 0, (prt_real)t->phi_count);
-    at[0][0] = (int)i < t->theta_count - 2 ? (int)i : t->theta_count > 1 ? t->theta_count - 2 : 0;
-    at[0][1] = t->theta_count > 1 ? at[0][0] + 1 : 0;
-    w[0] = i - (prt_real)at[0][0];
-    at[1][0] = (int)j < t->phi_count ? (int)j : t->phi_count - 1;
-    at[1][1] = at[1][0] + 1 < t->phi_count ? at[1][0] + 1 : 0;
-    w[1] = j - (prt_real)at[1][0];
-    at[2][0] = prt__fiv_interval(t->rho_count, t->rho, distance);
-    at[2][1] = at[2][0] + 1 < t->rho_count ? at[2][0] + 1 : at[2][0];
-    w[2] = prt__clamp((distance - t->rho[at[2][0]]) / (t->rho[at[2][1]] - t->rho[at[2][0]]), 0, 1);
-    c.fall = distance > last && last > 0 ? (last / distance) * (last / distance) : 1;
-    for (k = 0; k < 8; k++) {
-        size_t row = (size_t)at[2][k >> 2] * (size_t)t->theta_count + (size_t)at[0][k >> 1 & 1];
-        c.at[k] = row * (size_t)t->phi_count + (size_t)at[1][k & 1];
-        c.weight[k] = (k >> 2 ? w[2] : 1 - w[2]) * (k >> 1 & 1 ? w[0] : 1 - w[0]) * (k & 1 ? w[1] : 1 - w[1]);
+PRT__STATIC void prt__fiv_corners_of(const prt__fiv_grid *g, prt_real theta, prt_real phi, prt_real distance,
+                                     prt__fiv_corners *c) {
+    int i = (int)theta, j = (int)phi, k = prt__fiv_interval(g->rho_count, g->rho, distance), n;
+    int i1, j1, k1 = k + 1 < g->rho_count ? k + 1 : k;
+    prt_real last = g->rho[g->rho_count - 1], fall = 1, t, p, r = (distance - g->rho[k]) / (g->rho[k1] - g->rho[k]);
+    size_t phis = (size_t)g->phi_count, row[4];
+    if (i > g->theta_count - 2) i = g->theta_count > 1 ? g->theta_count - 2 : 0;
+    if (j >= g->phi_count) j = g->phi_count - 1;
+    i1 = g->theta_count > 1 ? i + 1 : i;
+    j1 = j + 1 < g->phi_count ? j + 1 : 0;
+    t = theta - (prt_real)i;
+    p = phi - (prt_real)j;
+    r = prt__clamp(r, 0, 1);
+    if (distance > last && last > 0) fall = (last / distance) * (last / distance);
+    row[0] = ((size_t)k * (size_t)g->theta_count + (size_t)i) * phis;
+    row[1] = ((size_t)k * (size_t)g->theta_count + (size_t)i1) * phis;
+    row[2] = ((size_t)k1 * (size_t)g->theta_count + (size_t)i) * phis;
+    row[3] = ((size_t)k1 * (size_t)g->theta_count + (size_t)i1) * phis;
+    c->weight[0] = c->weight[1] = (1 - r) * (1 - t) * fall;
+    c->weight[2] = c->weight[3] = (1 - r) * t * fall;
+    c->weight[4] = c->weight[5] = r * (1 - t) * fall;
+    c->weight[6] = c->weight[7] = r * t * fall;
+    for (n = 0; n < 8; n += 2) {
+        c->at[n] = row[n / 2] + (size_t)j;
+        c->at[n + 1] = row[n / 2] + (size_t)j1;
+        c->weight[n] *= 1 - p;
+        c->weight[n + 1] *= p;
     }
-    return c;
 }
 
-/* Weighted sum of the 8 samples; those inside (unless all are) and those not finite are left out. */
-PRT__STATIC void prt__fiv_blend(const prt_fiv_table *t, const prt__fiv_corners *c, prt_real *out) {
-    prt_real sum = 0, sample[9];
-    int outside = 0, k, i;
-    for (i = 0; i < 9; i++) out[i] = 0;
-    for (k = 0; k < 8; k++) outside |= c->weight[k] > 0 && (!t->inside || !t->inside[c->at[k]]);
+/* Drops the corners that lie inside, unless all with a weight do, and those that `good` denies; raises the others. */
+PRT__STATIC void prt__fiv_leave_out(const prt__fiv_grid *g, prt__fiv_corners *c, const unsigned char good[8]) {
+    prt_real all = 0, kept = 0;
+    int outside = 0, k;
+    for (k = 0; k < 8; k++) outside |= c->weight[k] > 0 && (!g->inside || !g->inside[c->at[k]]);
     for (k = 0; k < 8; k++) {
-        int good = !outside || !t->inside || !t->inside[c->at[k]];
-        memcpy(sample, &t->samples[c->at[k]], sizeof sample);
-        for (i = 0; i < 9; i++) good &= prt__finite(sample[i]);
-        if (!good) continue;
-        sum += c->weight[k];
+        all += c->weight[k];
+        if (!good[k] || (outside && g->inside && g->inside[c->at[k]])) c->weight[k] = 0;
+        kept += c->weight[k];
+    }
+    for (k = 0; k < 8; k++) c->weight[k] = kept > 0 ? c->weight[k] / kept * all : 0;
+}
+
+PRT__INLINE int prt__fiv_any_inside(const prt__fiv_grid *g, const prt__fiv_corners *c) {
+    const unsigned char *in = g->inside;
+    return in && (in[c->at[0]] | in[c->at[1]] | in[c->at[2]] | in[c->at[3]] | in[c->at[4]] | in[c->at[5]] | in[c->at[6]]
+                  | in[c->at[7]]);
+}
+
+/* out[0...8] = sum of weight times sample. */
+PRT__STATIC void prt__fiv_sum(const prt_fiv *samples, const prt__fiv_corners *c, prt_real *out) {
+    int k;
+#if PRT__SIMD
+    prt__quad low, high, a = { 0, 0, 0, 0 }, b = { 0, 0, 0, 0 };
+    prt_real last = 0;
+    for (k = 0; k < 8; k++) {
+        const prt_real *sample = &samples[c->at[k]].r.x;
+        memcpy(&low, sample, sizeof low);
+        memcpy(&high, sample + 4, sizeof high);
+        a += c->weight[k] * low;
+        b += c->weight[k] * high;
+        last += c->weight[k] * samples[c->at[k]].b.z;
+    }
+    memcpy(out, &a, sizeof a);
+    memcpy(out + 4, &b, sizeof b);
+    out[8] = last;
+#else
+    prt_real sample[9];
+    int i;
+    for (i = 0; i < 9; i++) out[i] = 0;
+    for (k = 0; k < 8; k++) {
+        memcpy(sample, &samples[c->at[k]], sizeof sample);
         for (i = 0; i < 9; i++) out[i] += c->weight[k] * sample[i];
     }
-    for (i = 0; i < 9; i++) out[i] = sum > 0 ? prt__clamp(out[i] / sum * c->fall, -PRT__REAL_MAX, PRT__REAL_MAX) : 0;
+#endif
+}
+
+PRT__INLINE int prt__fiv_nine_finite(const prt_real *v) {
+    prt_real sum = v[0] + v[1] + v[2] + v[3] + v[4] + v[5] + v[6] + v[7] + v[8];
+    return prt__finite(sum);
+}
+
+PRT__STATIC int prt__fiv_sample_finite(const prt_fiv *s) {
+    return prt__finite3(s->r) && prt__finite3(s->g) && prt__finite3(s->b);
+}
+
+/* The sum where a sample is inside, or something is not finite. Halved twice on the way, so that eight finite samples
+   cannot overflow. */
+PRT__STATIC void prt__fiv_sum_carefully(const prt__fiv_grid *g, const prt_fiv *samples, prt__fiv_corners *c, prt_real *out) {
+    unsigned char good[8];
+    prt_real sample[9];
+    int k, i;
+    for (k = 0; k < 8; k++) good[k] = (unsigned char)prt__fiv_sample_finite(&samples[c->at[k]]);
+    prt__fiv_leave_out(g, c, good);
+    for (i = 0; i < 9; i++) out[i] = 0;
+    for (k = 0; k < 8; k++) {
+        if (!good[k]) continue;
+        memcpy(sample, &samples[c->at[k]], sizeof sample);
+        for (i = 0; i < 9; i++) out[i] += c->weight[k] * PRT__R(0.25) * sample[i];
+    }
+    for (i = 0; i < 9; i++) out[i] = 4 * prt__clamp(out[i], -PRT__REAL_MAX / 4, PRT__REAL_MAX / 4);
+}
+
+PRT__STATIC void prt__fiv_blend(const prt__fiv_grid *g, const prt_fiv *samples, const prt__fiv_coordinates *at, int lane,
+                                prt_real *out) {
+    prt__fiv_corners c;
+    prt__fiv_corners_of(g, at->theta[lane], at->phi[lane], at->distance[lane], &c);
+    if (!prt__fiv_any_inside(g, &c)) {
+        prt__fiv_sum(samples, &c, out);
+        if (prt__fiv_nine_finite(out)) return;
+    }
+    prt__fiv_sum_carefully(g, samples, &c, out);
+}
+
+/* What a single place sees; for lookups of one. */
+PRT__STATIC void prt__fiv_place_in(const prt__fiv_grid *g, prt_vec3 to, prt__fiv_coordinates *at) {
+    prt__fiv_polar p = prt__fiv_polar_of(prt__vec_set(to.x), prt__vec_set(to.y), prt__vec_set(to.z));
+    prt__fiv_coordinates_of(g, &p, at);
 }
 
 PRTDEF prt_result prt_fiv_lookup(const prt_fiv_table *table, prt_vec3 from_receiver_to_centre, prt_fiv *out) {
-    prt__fiv_corners corners;
-    prt_vec3 dir;
-    prt_real distance, values[9];
+    prt__fiv_coordinates at;
+    prt__fiv_grid grid;
+    prt_real values[9];
     if (!table) return PRT_ERR_NULL;
     if (!prt__fiv_table_ok(table)) return PRT_ERR_COUNT;
     if (!table->rho || !table->samples || !out) return PRT_ERR_NULL;
-    distance = prt__fiv_polar(from_receiver_to_centre, &dir);
-    corners = prt__fiv_corners_at(table, dir, distance);
-    prt__fiv_blend(table, &corners, values);
+    grid = prt__fiv_grid_of(table);
+    prt__fiv_place_in(&grid, from_receiver_to_centre, &at);
+    prt__fiv_blend(&grid, table->samples, &at, 0, values);
     memcpy(out, values, sizeof values);
     return PRT_OK;
 }
 
-/* An occluder from a receiver: direction, radius of its unit bounding disc, what it takes of each channel. */
-typedef struct prt__fiv_seen { prt_vec3 dir; prt_real disc2, taken[3]; } prt__fiv_seen;
-
-/* g(u): what a cap of uniform radiance takes over what it would if it faced the receiver uncut; u = 1 touches the horizon
-   from above, u = -1 from below. */
-PRT__STATIC prt_real prt__fiv_cut(prt_real u) {
-    double v = (double)u, root = sqrt((1 - v) * (1 + v));
-    return (prt_real)((v * atan2(root, -v) + root * (2 + v * v) / 3) / PRT__PI);
-}
-
-PRT__STATIC void prt__fiv_see(const prt_real *total, prt_vec3 normal, const prt_fiv_hidden *h, unsigned flags,
-                              prt__fiv_seen *seen) {
-    prt_vec3 vectors[3], dir;
-    prt_real distance = prt__fiv_polar(h->to_centre, &dir);
-    prt_real sine = h->radius < distance ? h->radius / distance : 1, up = prt__dot3(normal, dir);
-    prt_real u = prt__clamp(up / sine, -1, 1), cut = prt__fiv_cut(u) - u;
-    int k;
-    vectors[0] = h->fiv.r; vectors[1] = h->fiv.g; vectors[2] = h->fiv.b;
-    seen->dir = dir;
-    seen->disc2 = 2 * sine * sine / (1 + prt__sqrt((1 - sine) * (1 + sine)));
-    for (k = 0; k < 3; k++) {
-        prt_vec3 unit;
-        prt_real length = prt__fiv_polar(vectors[k], &unit), along = length * prt__dot3(unit, normal);
-        if (flags & PRT_FIV_PAPER_PARTIAL) along *= prt__clamp(up * distance / h->radius, -1, 1) / 2 + PRT__R(0.5);
-        else along += length * sine * cut;
-        seen->taken[k] = h->radius > 0 && u > -1 ? prt__clamp(along, 0, total[k]) : 0;
-    }
-}
-
-/* The part of two unit bounding discs' areas that lies in both, over the sum of the areas. */
-PRT__STATIC prt_real prt__fiv_lens(const prt__fiv_seen *a, const prt__fiv_seen *b) {
-    double x = (double)a->dir.x - (double)b->dir.x, y = (double)a->dir.y - (double)b->dir.y;
-    double z = (double)a->dir.z - (double)b->dir.z, d2 = x * x + y * y + z * z, d = sqrt(d2);
-    double a2 = (double)a->disc2, b2 = (double)b->disc2, ra = sqrt(a2), rb = sqrt(b2);
-    double heron = (ra + rb - d) * (ra + rb + d) * (d + ra - rb) * (d - ra + rb), s = heron > 0 ? sqrt(heron) : 0;
-    if (!(a2 + b2 > 0) || d >= ra + rb) return 0;
-    if (!(heron > 0)) return (prt_real)((a2 < b2 ? a2 : b2) / (a2 + b2));
-    return (prt_real)((a2 * atan2(s, d2 + a2 - b2) + b2 * atan2(s, d2 + b2 - a2) - s / 2) / (PRT__PI * (a2 + b2)));
-}
-
-/* Occluders of which each pair is met: those of one block with each other and with all that follow. */
-enum { PRT__FIV_BLOCK = 32 };
-
-PRT__STATIC void prt__fiv_pair(const prt__fiv_seen *a, const prt__fiv_seen *b, prt_real *twice) {
-    prt_real lens = prt__fiv_lens(a, b);
-    int k;
-    for (k = 0; k < 3; k++) {
-        prt_real both = lens * (a->taken[k] + b->taken[k]), least = a->taken[k] < b->taken[k] ? a->taken[k] : b->taken[k];
-        twice[k] += both < least ? both : least;
-    }
-}
-
-/* The occluder that stands at an index, in the form that all sources share. */
+/* Receivers, one a lane, and what stands around them: vectors that were looked up already (one receiver), or occluders. */
 typedef struct prt__fiv_scene {
-    const prt_fiv_hidden *hidden;              /* either these */
-    const prt_fiv_occluder *occluders;         /* or these, seen from position */
-    prt_vec3 position;
+    const prt_fiv_hidden *hidden;
+    const prt_fiv_occluder *occluders;
+    int count, lanes;
+    unsigned flags;
+    prt__vec px, py, pz, nx, ny, nz, total[3];
 } prt__fiv_scene;
 
-PRT__STATIC prt_fiv_hidden prt__fiv_hidden_at(const prt__fiv_scene *scene, int k) {
-    prt_fiv_hidden h;
-    const prt_fiv_occluder *o;
-    if (scene->hidden) return scene->hidden[k];
-    o = scene->occluders + k;
-    h.to_centre = prt__vec3(o->position.x - scene->position.x, o->position.y - scene->position.y,
-                            o->position.z - scene->position.z);
-    h.radius = o->table->radius;
-    prt_fiv_lookup(o->table, h.to_centre, &h.fiv);
-    return h;
+/* An occluder from the receivers: direction, its unit bounding disc, what it takes of each channel; lit 0: nothing. */
+typedef struct prt__fiv_seen { prt__vec x, y, z, disc, disc2, taken[3]; int lit; } prt__fiv_seen;
+
+/* The vectors of occluder k in the lanes that `lit` names, nine rows of lanes. */
+PRT__STATIC void prt__fiv_vectors(const prt__fiv_scene *s, int k, const prt__fiv_polar *p, const prt_real *lit,
+                                  prt_real (*rows)[PRT__LANES]) {
+    prt__fiv_coordinates at;
+    prt__fiv_grid grid;
+    prt_real v[9];
+    int lane, i;
+    memset(rows, 0, 9 * sizeof *rows);
+    if (!s->hidden) {
+        grid = prt__fiv_grid_of(s->occluders[k].table);
+        prt__fiv_coordinates_of(&grid, p, &at);
+    }
+    for (lane = 0; lane < s->lanes; lane++) {
+        if (!(lit[lane] > 0)) continue;
+        if (s->hidden) memcpy(v, &s->hidden[k].fiv, sizeof v);
+        else prt__fiv_blend(&grid, s->occluders[k].table->samples, &at, lane, v);
+        for (i = 0; i < 9; i++) rows[i][lane] = v[i];
+    }
 }
 
-PRT__STATIC void prt__fiv_shade(const prt__fiv_scene *scene, prt_rgb total, prt_vec3 normal, int count, unsigned flags,
-                                prt_rgb *irradiance) {
+/* g(u) - u: what the horizon leaves of a cap of uniform radiance, over what it would give facing the receiver uncut,
+   beyond what N.FIV says. */
+PRT__STATIC prt__vec prt__fiv_cut(prt__vec u) {
+    prt__vec root = prt__vec_root((1 - u) * (1 + u));
+    return (u * prt__vec_angle(root, -u) + root * (2 + u * u) * PRT__R(1.0 / 3)) * PRT__R(1 / PRT__PI) - u;
+}
+
+PRT__STATIC void prt__fiv_see(const prt__fiv_scene *s, int k, prt__fiv_seen *seen) {
+    const prt__vec zero = prt__vec_set(0), one = prt__vec_set(1);
+    prt_vec3 to = s->hidden ? s->hidden[k].to_centre : s->occluders[k].position;
+    prt_real size = s->hidden ? s->hidden[k].radius : s->occluders[k].table->radius, lit[PRT__LANES], rows[9][PRT__LANES];
+    prt__vec radius = prt__vec_set(size);
+    prt__fiv_polar p = prt__fiv_polar_of(to.x - s->px, to.y - s->py, to.z - s->pz);
+    prt__vec up = prt__fiv_dot(&p, s->nx, s->ny, s->nz), sine, u, cut = zero, shine;
+    int c, lane, partial = 0;
+    seen->lit = 0;
+    if (!(size > 0)) return;
+    sine = PRT__SELECT(radius < p.distance, radius / PRT__SELECT(p.distance > 0, p.distance, one), one);
+    u = prt__vec_clamp(up / sine, -one, one);
+    shine = PRT__SELECT(u > -one, one, zero);
+    prt__vec_store(lit, shine);
+    for (lane = 0; lane < s->lanes; lane++) seen->lit |= lit[lane] > 0;
+    if (!seen->lit) return;
+    prt__fiv_vectors(s, k, &p, lit, rows);
+    prt__vec_store(lit, u);
+    for (lane = 0; lane < s->lanes; lane++) partial |= lit[lane] < 1;
+    if (s->flags & PRT_FIV_PAPER_PARTIAL) cut = prt__vec_clamp(up * p.distance / radius, -one, one) * PRT__R(0.5) + PRT__R(0.5);
+    else if (partial) cut = prt__fiv_cut(u) * sine;
+    for (c = 0; c < 3; c++) {
+        prt__vec x = prt__vec_load(rows[3 * c]), y = prt__vec_load(rows[3 * c + 1]), z = prt__vec_load(rows[3 * c + 2]);
+        prt__vec along = x * s->nx + y * s->ny + z * s->nz;
+        if (s->flags & PRT_FIV_PAPER_PARTIAL) along = along * cut;
+        else if (partial) along = along + PRT__SELECT(u < one, prt__vec_root(x * x + y * y + z * z) * cut, zero);
+        seen->taken[c] = PRT__SELECT(shine > zero, prt__vec_clamp(along, zero, s->total[c]), zero);
+    }
+    seen->x = p.x; seen->y = p.y; seen->z = p.z;
+    seen->disc2 = 2 * sine * sine / (1 + prt__vec_root((1 - sine) * (1 + sine)));
+    seen->disc = prt__vec_root(seen->disc2);
+}
+
+PRT__INLINE int prt__any_over(prt__vec a, prt__vec b) {        /* a > b in any lane */
+    prt_real over[PRT__LANES], sum = 0;
+    int k;
+    prt__vec_store(over, PRT__SELECT(a > b, prt__vec_set(1), prt__vec_set(0)));
+    for (k = 0; k < PRT__LANES; k++) sum += over[k];
+    return sum > 0;
+}
+
+/* Adds what two occluders take together: the part of two unit bounding discs' areas that lies in both, over the sum of the
+   areas, of the sum of what they take. By Heron: s is four times the triangle of the centres and a crossing; it turns to 0,
+   and the angles to 0 and pi, where one disc contains the other. */
+PRT__STATIC void prt__fiv_pair(const prt__fiv_seen *a, const prt__fiv_seen *b, prt__vec *twice) {
+    prt__vec x = a->x - b->x, y = a->y - b->y, z = a->z - b->z, d2 = x * x + y * y + z * z, d, s, share;
+    prt__vec reach = a->disc + b->disc, apart = a->disc - b->disc, zero = prt__vec_set(0);
+    int c;
+    if (!prt__any_over(reach * reach, d2)) return;
+    d = prt__vec_root(d2);
+    s = prt__vec_root(prt__vec_most((reach - d) * (reach + d) * (d + apart) * (d - apart), zero));
+    share = a->disc2 * prt__vec_angle(s, d2 + a->disc2 - b->disc2) + b->disc2 * prt__vec_angle(s, d2 + b->disc2 - a->disc2);
+    share = (share - s * PRT__R(0.5)) / ((a->disc2 + b->disc2) * PRT__R(PRT__PI));
+    share = PRT__SELECT(reach > d, share, zero);
+    for (c = 0; c < 3; c++) {
+        prt__vec both = share * (a->taken[c] + b->taken[c]);
+        twice[c] += prt__vec_least(both, prt__vec_least(a->taken[c], b->taken[c]));
+    }
+}
+
+/* Occluders that are kept to meet all that follow; more are taken block by block, and looked up once more for each. */
+enum { PRT__FIV_BLOCK = 32 };
+
+/* left[c] = total - what all occluders take. */
+PRT__STATIC void prt__fiv_shade(const prt__fiv_scene *s, prt__vec left[3]) {
     prt__fiv_seen block[PRT__FIV_BLOCK], one;
-    prt_real t[3], sum[3] = { 0, 0, 0 }, most[3] = { 0, 0, 0 }, twice[3] = { 0, 0, 0 };
-    int first, k, j, c;
-    t[0] = prt__clamp(total.r, 0, total.r); t[1] = prt__clamp(total.g, 0, total.g); t[2] = prt__clamp(total.b, 0, total.b);
-    for (first = 0; first < count; first += PRT__FIV_BLOCK)
-        for (k = first; k < count; k++) {
-            prt_fiv_hidden h = prt__fiv_hidden_at(scene, k);
-            if (k - first >= PRT__FIV_BLOCK && (flags & PRT_FIV_NO_OVERLAP)) break;
-            prt__fiv_see(t, normal, &h, flags, &one);
-            for (j = 0; j < PRT__FIV_BLOCK && j < k - first && !(flags & PRT_FIV_NO_OVERLAP); j++)
-                prt__fiv_pair(&block[j], &one, twice);
-            if (k - first >= PRT__FIV_BLOCK) continue;
+    prt__vec zero = prt__vec_set(0), sum[3], most[3], twice[3];
+    int pairs = !(s->flags & PRT_FIV_NO_OVERLAP), first, k, j, c;
+    for (c = 0; c < 3; c++) sum[c] = most[c] = twice[c] = zero;
+    for (first = 0; first < s->count; first += PRT__FIV_BLOCK)
+        for (k = first; k < s->count && (pairs || k < first + PRT__FIV_BLOCK); k++) {
+            int own = k - first < PRT__FIV_BLOCK;
+            prt__fiv_see(s, k, &one);
+            for (j = 0; one.lit && pairs && j < (own ? k - first : PRT__FIV_BLOCK); j++)
+                if (block[j].lit) prt__fiv_pair(&block[j], &one, twice);
+            if (!own) continue;
             block[k - first] = one;
-            for (c = 0; c < 3; c++) {
+            for (c = 0; one.lit && c < 3; c++) {
                 sum[c] += one.taken[c];
-                if (one.taken[c] > most[c]) most[c] = one.taken[c];
+                most[c] = prt__vec_most(most[c], one.taken[c]);
             }
         }
-    for (c = 0; c < 3; c++) {
-        prt_real taken = prt__clamp(sum[c] - twice[c], most[c], sum[c]);
-        t[c] = prt__clamp(t[c] - taken, 0, t[c]);
-    }
-    irradiance->r = t[0]; irradiance->g = t[1]; irradiance->b = t[2];
+    for (c = 0; c < 3; c++)
+        left[c] = prt__vec_clamp(s->total[c] - prt__vec_clamp(sum[c] - twice[c], most[c], sum[c]), zero, s->total[c]);
 }
 
 PRT__STATIC prt_result prt__fiv_occluders_check(int count, const prt_fiv_occluder *occluders) {
@@ -5264,11 +5486,37 @@ PRT__STATIC prt_result prt__fiv_occluders_check(int count, const prt_fiv_occlude
     return PRT_OK;
 }
 
+/* The receivers of the lanes; lanes without one see the last of them. */
+PRT__STATIC void prt__fiv_receivers(prt__fiv_scene *s, int lanes, const prt_rgb *totals, const prt_vec3 *positions,
+                                    const prt_vec3 *normals) {
+    prt_real v[9][PRT__LANES];
+    prt__vec zero = prt__vec_set(0);
+    int k;
+    for (k = 0; k < PRT__LANES; k++) {
+        int at = k < lanes ? k : lanes - 1;
+        v[0][k] = positions[at].x; v[1][k] = positions[at].y; v[2][k] = positions[at].z;
+        v[3][k] = normals[at].x; v[4][k] = normals[at].y; v[5][k] = normals[at].z;
+        v[6][k] = totals[at].r; v[7][k] = totals[at].g; v[8][k] = totals[at].b;
+    }
+    s->lanes = lanes;
+    s->px = prt__vec_load(v[0]); s->py = prt__vec_load(v[1]); s->pz = prt__vec_load(v[2]);
+    s->nx = prt__vec_load(v[3]); s->ny = prt__vec_load(v[4]); s->nz = prt__vec_load(v[5]);
+    for (k = 0; k < 3; k++) s->total[k] = prt__vec_most(prt__vec_load(v[6 + k]), zero);
+}
+
+PRT__STATIC void prt__fiv_write(const prt__vec left[3], int lanes, prt_rgb *irradiance) {
+    prt_real v[3][PRT__LANES];
+    int k;
+    for (k = 0; k < 3; k++) prt__vec_store(v[k], left[k]);
+    for (k = 0; k < lanes; k++) { irradiance[k].r = v[0][k]; irradiance[k].g = v[1][k]; irradiance[k].b = v[2][k]; }
+}
+
 PRTDEF prt_result prt_fiv_shade_n(int receiver_count, const prt_rgb *totals, const prt_vec3 *positions,
                                   const prt_vec3 *normals, int count, const prt_fiv_occluder *occluders, unsigned flags,
                                   prt_rgb *irradiance) {
     prt_result r;
     prt__fiv_scene scene;
+    prt__vec left[3];
     int k;
     if (receiver_count < 0) return PRT_ERR_COUNT;
     r = prt__fiv_occluders_check(count, occluders);
@@ -5276,9 +5524,13 @@ PRTDEF prt_result prt_fiv_shade_n(int receiver_count, const prt_rgb *totals, con
     if (receiver_count > 0 && (!totals || !positions || !normals || !irradiance)) return PRT_ERR_NULL;
     scene.hidden = 0;
     scene.occluders = occluders;
-    for (k = 0; k < receiver_count; k++) {
-        scene.position = positions[k];
-        prt__fiv_shade(&scene, totals[k], normals[k], count, flags, irradiance + k);
+    scene.count = count;
+    scene.flags = flags;
+    for (k = 0; k < receiver_count; k += PRT__LANES) {
+        int lanes = receiver_count - k < PRT__LANES ? receiver_count - k : PRT__LANES;
+        prt__fiv_receivers(&scene, lanes, totals + k, positions + k, normals + k);
+        prt__fiv_shade(&scene, left);
+        prt__fiv_write(left, lanes, irradiance + k);
     }
     return PRT_OK;
 }
@@ -5290,12 +5542,18 @@ PRTDEF prt_result prt_fiv_shade(prt_rgb total, prt_vec3 position, prt_vec3 norma
 
 PRTDEF prt_result prt_fiv_shade_vectors(prt_rgb total, prt_vec3 normal, int count, const prt_fiv_hidden *hidden,
                                         unsigned flags, prt_rgb *irradiance) {
+    const prt_vec3 origin = { 0, 0, 0 };
     prt__fiv_scene scene;
+    prt__vec left[3];
     if (count < 0) return PRT_ERR_COUNT;
     if ((count > 0 && !hidden) || !irradiance) return PRT_ERR_NULL;
-    memset(&scene, 0, sizeof scene);
     scene.hidden = hidden;
-    prt__fiv_shade(&scene, total, normal, count, flags, irradiance);
+    scene.occluders = 0;
+    scene.count = count;
+    scene.flags = flags;
+    prt__fiv_receivers(&scene, 1, &total, &origin, &normal);
+    prt__fiv_shade(&scene, left);
+    prt__fiv_write(left, 1, irradiance);
     return PRT_OK;
 }
 

@@ -436,9 +436,6 @@ PRTDEF prt_result prt_vo_compact(int max_occluders, int point_count, const prt_v
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#if PRT__SIMD && defined(__SSE2__)
-#  include <immintrin.h>
-#endif
 
 #if defined(PRT_MALLOC) != defined(PRT_FREE)
 #  error "prt_bake.h: define both PRT_MALLOC and PRT_FREE, or neither"
@@ -607,36 +604,6 @@ PRT__STATIC prt__frame prt__frame_about(prt_vec3 normal) {
     f.t[0] = 1 + sign * x * x * a; f.t[1] = sign * b; f.t[2] = -sign * x;
     f.b[0] = b; f.b[1] = sign + y * y * a; f.b[2] = -y;
     return f;
-}
-
-/* Square root, of negative values 0. By intrinsics where the loop below is slow: a compiler may not widen sqrt, which
-   reports errors through errno. */
-PRT__INLINE prt__vec prt__vec_root(prt__vec v) {
-#if PRT__SIMD && defined(__AVX512F__)                  /* maskz: g++ 12 takes the unmasked ones for uninitialised */
-#  ifdef PRT_DOUBLE
-    return _mm512_maskz_sqrt_pd(0xff, _mm512_maskz_max_pd(0xff, v, prt__vec_set(0)));
-#  else
-    return _mm512_maskz_sqrt_ps(0xffff, _mm512_maskz_max_ps(0xffff, v, prt__vec_set(0)));
-#  endif
-#elif PRT__SIMD && defined(__SSE2__)
-#  ifdef __AVX__
-#    define PRT__MM(name) _mm256_##name
-#  else
-#    define PRT__MM(name) _mm_##name
-#  endif
-#  ifdef PRT_DOUBLE
-    return PRT__MM(sqrt_pd)(PRT__MM(max_pd)(v, prt__vec_set(0)));
-#  else
-    return PRT__MM(sqrt_ps)(PRT__MM(max_ps)(v, prt__vec_set(0)));
-#  endif
-#  undef PRT__MM
-#else
-    prt_real all[PRT__LANES];
-    int k;
-    prt__vec_store(all, v);
-    for (k = 0; k < PRT__LANES; k++) all[k] = prt__sqrt(all[k] > 0 ? all[k] : 0);
-    return prt__vec_load(all);
-#endif
 }
 
 /* Members base ... base+count-1 of the lattice, cosine-mapped into the frame, to x, y, z; base is a multiple of 64,

@@ -1,0 +1,820 @@
+/* Room >>fiv: lookup, horizon, overlap and shading against textbook code in double, closed forms and quadrature. */
+#define PRT_IMPLEMENTATION
+#include "prt.h"
+#include "test.h"
+
+#define EPS BY_PRECISION((double)FLT_EPSILON, DBL_EPSILON)
+enum { THETAS = 9, PHIS = 16, RHOS = 5, SAMPLES = THETAS * PHIS * RHOS };
+static const double pi = 3.14159265358979323846;
+
+/* ---- small helpers ---- */
+
+static unsigned seed_ = 1;
+static double uniform(void) {                                  /* 0 ... 1 */
+    seed_ = seed_ * 1664525u + 1013904223u;
+    return (double)(seed_ >> 8) / 16777216.0;
+}
+
+static prt_vec3 vec3(double x, double y, double z) {
+    prt_vec3 v;
+    v.x = (prt_real)x; v.y = (prt_real)y; v.z = (prt_real)z;
+    return v;
+}
+
+static prt_rgb rgb(double r, double g, double b) {
+    prt_rgb c;
+    c.r = (prt_real)r; c.g = (prt_real)g; c.b = (prt_real)b;
+    return c;
+}
+
+static prt_vec3 random_unit(void) {
+    double z = 2 * uniform() - 1, a = 2 * pi * uniform(), r = sqrt(1 - z * z);
+    return vec3(r * cos(a), r * sin(a), z);
+}
+
+static prt_vec3 scaled(prt_vec3 v, double s) { return vec3(s * (double)v.x, s * (double)v.y, s * (double)v.z); }
+
+static void components(const prt_fiv *f, double out[9]) {
+    const prt_vec3 v[3] = { f->r, f->g, f->b };
+    int k;
+    for (k = 0; k < 3; k++) { out[3 * k] = (double)v[k].x; out[3 * k + 1] = (double)v[k].y; out[3 * k + 2] = (double)v[k].z; }
+}
+
+static prt_fiv fiv_of(const double v[9]) {
+    prt_fiv f;
+    f.r = vec3(v[0], v[1], v[2]); f.g = vec3(v[3], v[4], v[5]); f.b = vec3(v[6], v[7], v[8]);
+    return f;
+}
+
+static int finite_rgb(prt_rgb c) { return isfinite((double)c.r) && isfinite((double)c.g) && isfinite((double)c.b); }
+
+static int within(prt_rgb c, prt_rgb total) {
+    return c.r >= 0 && c.g >= 0 && c.b >= 0 && c.r <= total.r && c.g <= total.g && c.b <= total.b;
+}
+
+/* ---- textbook lookup and shading, in double ---- */
+
+static const prt_real some_rho[RHOS] = { 1, PRT__R(1.3), 2, 3, PRT__R(4.5) };
+static prt_fiv some_samples[SAMPLES];
+
+static prt_fiv_table random_table(void) {
+    prt_fiv_table t = { THETAS, PHIS, RHOS, some_rho, 1, some_samples, NULL };
+    double v[9];
+    int i, k;
+    for (i = 0; i < SAMPLES; i++) {
+        for (k = 0; k < 9; k++) v[k] = 2 * uniform() - 1;
+        some_samples[i] = fiv_of(v);
+    }
+    return t;
+}
+
+static void textbook_lookup(const prt_fiv_table *t, prt_vec3 to, double out[9]) {
+    double x = (double)to.x, y = (double)to.y, z = (double)to.z, r = sqrt(x * x + y * y + z * z), w[3], sample[9], sum = 0;
+    double theta = acos(z / r) / pi * (t->theta_count - 1), phi = atan2(y, x) / (2 * pi) * t->phi_count;
+    double last = (double)t->rho[t->rho_count - 1], at = fmin(fmax(r, (double)t->rho[0]), last);
+    int i, j, k = 0, c, n;
+    if (phi < 0) phi += t->phi_count;
+    i = theta >= t->theta_count - 1 ? t->theta_count - 2 : (int)theta;
+    j = (int)phi % t->phi_count;
+    while (k < t->rho_count - 2 && at >= (double)t->rho[k + 1]) k++;
+    w[0] = theta - i; w[1] = phi - floor(phi); w[2] = (at - (double)t->rho[k]) / ((double)t->rho[k + 1] - (double)t->rho[k]);
+    for (n = 0; n < 9; n++) out[n] = 0;
+    for (c = 0; c < 8; c++) {
+        int index = ((k + (c >> 2)) * t->theta_count + i + (c >> 1 & 1)) * t->phi_count + (j + (c & 1)) % t->phi_count;
+        double weight = (c >> 2 ? w[2] : 1 - w[2]) * (c >> 1 & 1 ? w[0] : 1 - w[0]) * (c & 1 ? w[1] : 1 - w[1]);
+        if (t->inside && t->inside[index]) continue;
+        components(&t->samples[index], sample);
+        sum += weight;
+        for (n = 0; n < 9; n++) out[n] += weight * sample[n];
+    }
+    for (n = 0; n < 9; n++) out[n] = sum > 0 ? out[n] / sum * (r > last ? last * last / r / r : 1) : 0;
+}
+
+static double dot3(const double *a, prt_vec3 b) { return a[0] * (double)b.x + a[1] * (double)b.y + a[2] * (double)b.z; }
+
+static double textbook_cut(double u) { return (u * acos(-u) + sqrt(1 - u * u) * (2 + u * u) / 3) / pi; }
+
+/* What an occluder takes, one channel. */
+static double textbook_taken(const double *fiv, prt_vec3 to, double radius, prt_vec3 normal, unsigned flags) {
+    double v[3], r, s, d, u, size = sqrt(fiv[0] * fiv[0] + fiv[1] * fiv[1] + fiv[2] * fiv[2]);
+    v[0] = (double)to.x; v[1] = (double)to.y; v[2] = (double)to.z;
+    r = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    d = dot3(v, normal);
+    s = fmin(1, radius / r);
+    u = fmax(-1, fmin(1, d / r / s));
+    if (u <= -1) return 0;
+    if (flags & PRT_FIV_PAPER_PARTIAL) return fmax(0, dot3(fiv, normal) * (fmax(-1, fmin(1, d / radius)) + 1) / 2);
+    return fmax(0, dot3(fiv, normal) + size * s * (textbook_cut(u) - u));
+}
+
+/* Area that two discs share, radii a and b, centres d apart. */
+static double textbook_lens(double a, double b, double d) {
+    if (d >= a + b) return 0;
+    if (d <= fabs(a - b)) return pi * fmin(a, b) * fmin(a, b);
+    return a * a * acos((d * d + a * a - b * b) / (2 * d * a)) + b * b * acos((d * d + b * b - a * a) / (2 * d * b))
+           - sqrt((a + b - d) * (d + a - b) * (d - a + b) * (d + a + b)) / 2;
+}
+
+static double disc_of(prt_vec3 to, double radius) {
+    double r = sqrt((double)to.x * (double)to.x + (double)to.y * (double)to.y + (double)to.z * (double)to.z);
+    return 2 * sin(asin(fmin(1, radius / r)) / 2);
+}
+
+static double chord(prt_vec3 a, prt_vec3 b) {
+    double la = sqrt((double)a.x * (double)a.x + (double)a.y * (double)a.y + (double)a.z * (double)a.z);
+    double lb = sqrt((double)b.x * (double)b.x + (double)b.y * (double)b.y + (double)b.z * (double)b.z);
+    double x = (double)a.x / la - (double)b.x / lb, y = (double)a.y / la - (double)b.y / lb;
+    double z = (double)a.z / la - (double)b.z / lb;
+    return sqrt(x * x + y * y + z * z);
+}
+
+/* Equations 11, 13 and 14 for every channel. */
+static void textbook_shade(prt_rgb total, prt_vec3 normal, int count, const prt_fiv_hidden *h, unsigned flags,
+                           double out[3]) {
+    double totals[3], taken[100][3];
+    int i, j, c;
+    totals[0] = (double)total.r; totals[1] = (double)total.g; totals[2] = (double)total.b;
+    for (i = 0; i < count; i++) {
+        double v[9];
+        components(&h[i].fiv, v);
+        for (c = 0; c < 3; c++)
+            taken[i][c] = fmin(totals[c], textbook_taken(v + 3 * c, h[i].to_centre, (double)h[i].radius, normal, flags));
+    }
+    for (c = 0; c < 3; c++) {
+        double sum = 0, most = 0, both = 0;
+        for (i = 0; i < count; i++) {
+            sum += taken[i][c];
+            most = fmax(most, taken[i][c]);
+            for (j = 0; j < i && !(flags & PRT_FIV_NO_OVERLAP); j++) {
+                double a = disc_of(h[i].to_centre, (double)h[i].radius), b = disc_of(h[j].to_centre, (double)h[j].radius);
+                double share = textbook_lens(a, b, chord(h[i].to_centre, h[j].to_centre)) / (pi * (a * a + b * b));
+                both += fmin(share * (taken[i][c] + taken[j][c]), fmin(taken[i][c], taken[j][c]));
+            }
+        }
+        out[c] = totals[c] - fmin(fmax(sum - both, most), fmin(sum, totals[c]));
+    }
+}
+
+/* ---- vectors ---- */
+
+static void vectors_of_directions_add_up(void **state) {
+    prt_fiv f;
+    prt_rgb e;
+    (void)state;
+    memset(&f, 0, sizeof f);
+    prt_fiv_add(&f, vec3(0, 0, 1), rgb(1, 2, 3));
+    prt_fiv_add(&f, vec3(PRT__R(0.6), 0, PRT__R(-0.8)), rgb(10, 0, 5));
+    e = prt_fiv_irradiance(&f, vec3(0, 0, 1));
+    assert_near(e.r, 1 - 8, 8 * EPS * 9); assert_near(e.g, 2, 0); assert_near(e.b, 3 - 4, 8 * EPS * 7);
+    e = prt_fiv_irradiance(&f, vec3(1, 0, 0));
+    assert_near(e.r, 6, 8 * EPS * 6); assert_near(e.g, 0, 0); assert_near(e.b, 3, 8 * EPS * 3);
+    prt_fiv_add(NULL, vec3(0, 0, 1), rgb(1, 1, 1));
+    e = prt_fiv_irradiance(NULL, vec3(0, 0, 1));
+    assert_true(e.r == 0 && e.g == 0 && e.b == 0);
+}
+
+/* The vector of a cap of radiance 1 is pi sin^2(a) along its axis: summed over a fine ring quadrature. */
+static void vector_of_a_cap(void **state) {
+    const double half = 0.7;
+    prt_fiv f;
+    int i, j;
+    (void)state;
+    memset(&f, 0, sizeof f);
+    for (i = 0; i < 200; i++)
+        for (j = 0; j < 64; j++) {
+            double z = 1 - (1 - cos(half)) * (i + 0.5) / 200, r = sqrt(1 - z * z), a = 2 * pi * j / 64;
+            double w = 2 * pi * (1 - cos(half)) / (200 * 64);
+            prt_fiv_add(&f, vec3(r * cos(a), z, r * sin(a)), rgb(w, 2 * w, 0));
+        }
+    assert_near(f.r.y, pi * sin(half) * sin(half), 200 * 64 * EPS);
+    assert_near(f.g.y, 2 * pi * sin(half) * sin(half), 400 * 64 * EPS);
+    assert_near(f.r.x, 0, 100 * EPS); assert_near(f.r.z, 0, 100 * EPS); assert_near(f.b.y, 0, 0);
+}
+
+/* ---- lookup ---- */
+
+static void lookup_returns_samples_at_their_places(void **state) {
+    prt_fiv_table t = random_table();
+    double got[9], want[9];
+    prt_fiv f;
+    int i, j, k, n;
+    (void)state;
+    for (k = 0; k < RHOS; k++)
+        for (i = 0; i < THETAS; i++)
+            for (j = 0; j < PHIS; j++) {
+                double theta = pi * i / (THETAS - 1), phi = 2 * pi * j / PHIS, r = (double)some_rho[k];
+                if (i == 0 || i == THETAS - 1) continue;                   /* poles: below */
+                assert_int_equal(prt_fiv_lookup(&t, vec3(r * sin(theta) * cos(phi), r * sin(theta) * sin(phi),
+                                                         r * cos(theta)), &f), PRT_OK);
+                components(&f, got);
+                components(&some_samples[(k * THETAS + i) * PHIS + j], want);
+                for (n = 0; n < 9; n++) assert_near(got[n], want[n], 60 * EPS);
+            }
+}
+
+static void lookup_is_trilinear(void **state) {
+    prt_fiv_table t = random_table();
+    unsigned char inside[SAMPLES];
+    double got[9], want[9];
+    int k, n, with;
+    (void)state;
+    for (k = 0; k < SAMPLES; k++) inside[k] = (unsigned char)(uniform() < 0.3);
+    for (with = 0; with < 2; with++) {
+        t.inside = with ? inside : NULL;
+        for (k = 0; k < 4000; k++) {
+            prt_vec3 to = scaled(random_unit(), 0.5 + 6 * uniform());
+            prt_fiv f;
+            assert_int_equal(prt_fiv_lookup(&t, to, &f), PRT_OK);
+            components(&f, got);
+            textbook_lookup(&t, to, want);
+            if (with && want[0] == 0 && want[1] == 0) continue;            /* all eight inside: another test */
+            for (n = 0; n < 9; n++) assert_near(got[n], want[n], with ? 5e5 * EPS : 100 * EPS);
+        }
+    }
+}
+
+static void lookup_is_continuous_over_poles_and_seam(void **state) {
+    prt_fiv_table t = random_table();
+    prt_fiv a, b;
+    double va[9], vb[9];
+    int k, n;
+    (void)state;
+    for (k = 0; k < RHOS * PHIS; k++)                                      /* a pole is one place: one value */
+        some_samples[(k / PHIS * THETAS) * PHIS + k % PHIS] = some_samples[k / PHIS * THETAS * PHIS];
+    for (k = 0; k < 64; k++) {
+        double angle = 2 * pi * k / 64;
+        assert_int_equal(prt_fiv_lookup(&t, vec3(0, 0, 2), &a), PRT_OK);
+        assert_int_equal(prt_fiv_lookup(&t, vec3(1e-7 * cos(angle), 1e-7 * sin(angle), 2), &b), PRT_OK);
+        components(&a, va); components(&b, vb);
+        for (n = 0; n < 9; n++) assert_near(va[n], vb[n], 2e-6);
+    }
+    for (k = 0; k < 64; k++) {
+        double theta = pi * (k + 0.5) / 64, r = 1 + 5 * uniform();
+        assert_int_equal(prt_fiv_lookup(&t, vec3(r * sin(theta), 1e-7, r * cos(theta)), &a), PRT_OK);
+        assert_int_equal(prt_fiv_lookup(&t, vec3(r * sin(theta), -1e-7, r * cos(theta)), &b), PRT_OK);
+        components(&a, va); components(&b, vb);
+        for (n = 0; n < 9; n++) assert_near(va[n], vb[n], 1e-4);
+    }
+}
+
+static void lookup_falls_off_with_the_solid_angle(void **state) {
+    prt_fiv_table t = random_table();
+    prt_vec3 dir = random_unit();
+    prt_fiv a, b;
+    double va[9], vb[9];
+    int n;
+    (void)state;
+    assert_int_equal(prt_fiv_lookup(&t, scaled(dir, (double)some_rho[RHOS - 1]), &a), PRT_OK);
+    assert_int_equal(prt_fiv_lookup(&t, scaled(dir, 10 * (double)some_rho[RHOS - 1]), &b), PRT_OK);
+    components(&a, va); components(&b, vb);
+    for (n = 0; n < 9; n++) assert_near(vb[n], va[n] / 100, 2 * EPS);
+    assert_int_equal(prt_fiv_lookup(&t, scaled(dir, 0.001), &a), PRT_OK);  /* nearer than the first: as the first */
+    assert_int_equal(prt_fiv_lookup(&t, scaled(dir, (double)some_rho[0]), &b), PRT_OK);
+    components(&a, va); components(&b, vb);
+    for (n = 0; n < 9; n++) assert_near(va[n], vb[n], 60 * EPS);
+}
+
+/* Between geometric distances, a factor q apart, 1/rho^2 is met within (1+q^-2)/2 ((1+q)/2)^2 - 1. */
+static void interpolation_error_of_geometric_distances(void **state) {
+    const double q = 1.07, bound = (1 + 1 / q / q) / 2 * (1 + q) * (1 + q) / 4 - 1;
+    prt_real rho[12];
+    prt_fiv samples[12];
+    prt_fiv_table t = { 1, 1, 12, rho, 1, samples, NULL };
+    double worst[11];
+    int k, i;
+    (void)state;
+    for (k = 0; k < 12; k++) {
+        rho[k] = (prt_real)(1.05 * pow(q, k));
+        memset(&samples[k], 0, sizeof samples[k]);
+        samples[k].g.z = (prt_real)(pi / ((double)rho[k] * (double)rho[k]));
+    }
+    for (k = 0; k < 11; k++) {
+        worst[k] = 0;
+        for (i = 0; i <= 100; i++) {
+            double r = (double)rho[k] + ((double)rho[k + 1] - (double)rho[k]) * i / 100;
+            prt_fiv f;
+            assert_int_equal(prt_fiv_lookup(&t, vec3(0, 0, r), &f), PRT_OK);
+            worst[k] = fmax(worst[k], fabs((double)f.g.z * r * r / pi - 1));
+        }
+        assert_at_most(worst[k], bound * 1.02 + 8 * EPS);
+        assert_at_most(bound * 0.98, worst[k] + 8 * EPS);
+    }
+    print_message("interpolation in distance, factor 1.07: %.4f of the value in every interval\n", worst[5]);
+}
+
+/* ---- horizon ---- */
+
+/* Share of pi sin^2 a that a cap of radiance 1, half-angle a, whose axis is at zenith angle b, gives a receiver. */
+static double cap_above_horizon(double a, double b) {
+    const int rings = 400, spokes = 400;
+    double sum = 0;
+    int i, j;
+    for (i = 0; i < rings; i++) {
+        double z = 1 - (1 - cos(a)) * (i + 0.5) / rings, r = sqrt(1 - z * z);
+        for (j = 0; j < spokes; j++) sum += fmax(0, z * cos(b) + r * cos(2 * pi * (j + 0.5) / spokes) * sin(b));
+    }
+    return sum * 2 * (1 - cos(a)) / (rings * spokes) / (sin(a) * sin(a));
+}
+
+static void horizon_cuts_caps(void **state) {
+    static const double half[3] = { 0.2, 0.5, 1 }, ours[3] = { 0.00055, 0.0082, 0.068 }, papers[3] = { 0.043, 0.110, 0.245 };
+    int k, i;
+    (void)state;
+    for (k = 0; k < 3; k++) {
+        double a = half[k], worst = 0, worst_paper = 0;
+        for (i = -40; i <= 40; i++) {
+            double b = pi / 2 + 1.1 * a * i / 40, truth = cap_above_horizon(a, b);
+            prt_fiv_hidden h;
+            prt_rgb e, p;
+            memset(&h, 0, sizeof h);
+            h.radius = (prt_real)sin(a);
+            h.to_centre = vec3(sin(b), 0, cos(b));
+            h.fiv.r = h.fiv.g = h.fiv.b = scaled(h.to_centre, pi * sin(a) * sin(a));
+            assert_int_equal(prt_fiv_shade_vectors(rgb(pi, pi, pi), vec3(0, 0, 1), 1, &h, 0, &e), PRT_OK);
+            assert_int_equal(prt_fiv_shade_vectors(rgb(pi, pi, pi), vec3(0, 0, 1), 1, &h, PRT_FIV_PAPER_PARTIAL, &p), PRT_OK);
+            worst = fmax(worst, fabs((pi - (double)e.g) / (pi * sin(a) * sin(a)) - truth));
+            worst_paper = fmax(worst_paper, fabs((pi - (double)p.g) / (pi * sin(a) * sin(a)) - truth));
+            if (i <= -37) assert_near((pi - (double)e.g) / (pi * sin(a) * sin(a)), cos(b), 300 * EPS);   /* whole */
+            if (i >= 37) assert_near(e.g, pi, 4 * EPS);                                                  /* below */
+        }
+        print_message("cap of half-angle %.1f cut by the horizon: error %.4f, the paper's factor %.4f\n", a, worst, worst_paper);
+        assert_at_most(worst, ours[k] + 300 * EPS);
+        assert_near(worst_paper, papers[k], 0.05 * papers[k]);
+    }
+}
+
+/* ---- overlap ---- */
+
+/* Area common to two discs by counting on a grid. */
+static double lens_by_counting(double a, double b, double d) {
+    const int n = 700;
+    int i, j, hits = 0;
+    for (i = 0; i < n; i++)
+        for (j = 0; j < n; j++) {
+            double x = -a + 2 * a * (i + 0.5) / n, y = -a + 2 * a * (j + 0.5) / n;
+            hits += x * x + y * y < a * a && (x - d) * (x - d) + y * y < b * b;
+        }
+    return 4.0 * a * a * hits / n / n;
+}
+
+static void lens_of_two_discs(void **state) {
+    static const double discs[5][3] = { { 1, 1, 0.5 }, { 0.3, 0.2, 0.25 }, { 0.5, 0.2, 0.31 }, { 0.2, 0.21, 0.4 }, { 1, 0.1, 0.95 } };
+    int k;
+    (void)state;
+    for (k = 0; k < 5; k++)
+        assert_near(textbook_lens(discs[k][0], discs[k][1], discs[k][2]), lens_by_counting(discs[k][0], discs[k][1], discs[k][2]),
+                    5e-3 * discs[k][0] * discs[k][0]);
+}
+
+static prt_fiv_hidden ball(prt_vec3 dir, double distance, double radius) {
+    prt_fiv_hidden h;
+    double s = radius / distance;
+    memset(&h, 0, sizeof h);
+    h.to_centre = scaled(dir, distance);
+    h.radius = (prt_real)radius;
+    h.fiv.r = h.fiv.g = h.fiv.b = scaled(dir, pi * s * s);
+    return h;
+}
+
+static void overlap_takes_back_the_lens(void **state) {
+    const prt_rgb total = rgb(pi, 2 * pi, pi / 2);
+    prt_fiv_hidden h[3];
+    prt_rgb one, two, out;
+    double want[3];
+    int k;
+    (void)state;
+    h[0] = ball(vec3(0, 0, 1), 3, 1);
+    h[1] = h[0];
+    assert_int_equal(prt_fiv_shade_vectors(total, vec3(0, 0, 1), 1, h, 0, &one), PRT_OK);
+    assert_int_equal(prt_fiv_shade_vectors(total, vec3(0, 0, 1), 2, h, 0, &two), PRT_OK);      /* coincident */
+    assert_near(one.g, 2 * pi - pi / 9, 20 * EPS);
+    assert_near(two.g, one.g, 20 * EPS);
+    assert_int_equal(prt_fiv_shade_vectors(total, vec3(0, 0, 1), 2, h, PRT_FIV_NO_OVERLAP, &two), PRT_OK);
+    assert_near(two.g, 2 * pi - 2 * pi / 9, 20 * EPS);
+    h[1] = ball(vec3(0, 0, 1), 6, 0.5);                            /* hidden behind the first; discs are not sin^2 a */
+    assert_int_equal(prt_fiv_shade_vectors(total, vec3(0, 0, 1), 2, h, 0, &two), PRT_OK);
+    assert_near(two.g, one.g, 0.03 * pi / 144);
+    h[1] = ball(vec3(0.8, 0, 0.6), 3, 1);                                                      /* apart */
+    assert_int_equal(prt_fiv_shade_vectors(total, vec3(0, 0, 1), 2, h, 0, &two), PRT_OK);
+    assert_near(two.g, 2 * pi - pi / 9 * 1.6, 40 * EPS);
+    for (k = 0; k < 3000; k++) {                                                               /* anywhere */
+        double tilt = 0.5 * uniform(), a = 2 * pi * uniform();
+        h[1] = ball(vec3(sin(tilt) * cos(a), sin(tilt) * sin(a), cos(tilt)), 2 + 2 * uniform(), 0.5 + uniform());
+        assert_int_equal(prt_fiv_shade_vectors(total, vec3(0, 0, 1), 2, h, 0, &out), PRT_OK);
+        textbook_shade(total, vec3(0, 0, 1), 2, h, 0, want);
+        assert_near(out.r, want[0], 30 * EPS * pi); assert_near(out.g, want[1], 30 * EPS * 2 * pi);
+        assert_near(out.b, want[2], 30 * EPS * pi);
+    }
+}
+
+/* ---- shading ---- */
+
+/* A table of a ball of radius 1 under the radiance 1 + z (r), 1 (g) and 0.5 (b): vectors in closed form. For 1 + z,
+   int (1 + w_z) w dw over a cap of half-angle a about n is pi s^2 n + c0 z + c1 n_z n with the cap's second moments. */
+enum { BALL_THETAS = 65, BALL_PHIS = 128, BALL_RHOS = 24 };
+static prt_fiv ball_samples[BALL_THETAS * BALL_PHIS * BALL_RHOS];
+static prt_real ball_rho[BALL_RHOS];
+
+static void ball_vectors(prt_vec3 n, double rho, double v[9]) {
+    double s = 1 / rho, c = sqrt(1 - s * s), along = 2 * pi * (1 - c * c * c) / 3;             /* int (n.w)^2 */
+    double across = (2 * pi * (1 - c) - along) / 2, d[3];
+    int k;
+    d[0] = (double)n.x; d[1] = (double)n.y; d[2] = (double)n.z;
+    for (k = 0; k < 3; k++) {
+        v[3 + k] = pi * s * s * d[k];
+        v[6 + k] = v[3 + k] / 2;
+        v[k] = v[3 + k] + (along - across) * d[2] * d[k] + (k == 2 ? across : 0);
+    }
+}
+
+static prt_fiv_table ball_table(void) {
+    prt_fiv_table t = { BALL_THETAS, BALL_PHIS, BALL_RHOS, ball_rho, 1, ball_samples, NULL };
+    int i, j, k;
+    double v[9];
+    for (k = 0; k < BALL_RHOS; k++) {
+        ball_rho[k] = (prt_real)(1.02 * pow(1.07, k));
+        for (i = 0; i < BALL_THETAS; i++)
+            for (j = 0; j < BALL_PHIS; j++) {
+                double theta = pi * i / (BALL_THETAS - 1), phi = 2 * pi * j / BALL_PHIS;
+                ball_vectors(vec3(sin(theta) * cos(phi), sin(theta) * sin(phi), cos(theta)), (double)ball_rho[k], v);
+                ball_samples[(k * BALL_THETAS + i) * BALL_PHIS + j] = fiv_of(v);
+            }
+    }
+    return t;
+}
+
+static void ball_over_a_plane(void **state) {
+    prt_fiv_table t = ball_table();
+    prt_fiv_occluder o = { NULL, { 0, 0, 0 } };
+    double worst = 0;
+    int k;
+    (void)state;
+    o.table = &t;
+    for (k = 0; k < 500; k++) {
+        prt_vec3 p = vec3(6 * uniform() - 3, 6 * uniform() - 3, 1), to;
+        double v[9], r, want;
+        prt_rgb total = rgb(pi + 2 * pi / 3, pi, pi / 2), out;
+        o.position = vec3(0, 0, 2 + uniform());
+        to = vec3((double)o.position.x - (double)p.x, (double)o.position.y - (double)p.y, (double)o.position.z - 1);
+        r = sqrt((double)to.x * (double)to.x + (double)to.y * (double)to.y + (double)to.z * (double)to.z);
+        assert_int_equal(prt_fiv_shade(total, p, vec3(0, 0, 1), 1, &o, 0, &out), PRT_OK);
+        ball_vectors(scaled(to, 1 / r), r, v);
+        want = (double)total.r - v[2];
+        worst = fmax(worst, fabs((double)out.r - want) / v[2]);
+        assert_near(out.g, pi - v[5], 0.0045 * v[5] + 20 * EPS);   /* .0036 in distance, .0006 in angle */
+        assert_near(out.r, want, 0.0055 * v[2] + 20 * EPS);
+        assert_near(out.b, pi / 2 - v[8], 0.0045 * v[8] + 20 * EPS);
+    }
+    print_message("a ball over a plane, 65x128x24 table: within %.4f of what it takes\n", worst);
+}
+
+enum { MANY = 80, RECEIVERS = 53 };
+
+static void scene_of(prt_fiv_occluder *o, const prt_fiv_table *t, int count) {
+    int k;
+    for (k = 0; k < count; k++) {
+        o[k].table = t;
+        o[k].position = scaled(random_unit(), 1.2 + 8 * uniform());
+    }
+}
+
+static void shading_agrees_with_the_textbook(void **state) {
+    static const unsigned flags[4] = { 0, PRT_FIV_PAPER_PARTIAL, PRT_FIV_NO_OVERLAP, PRT_FIV_PAPER_PARTIAL | PRT_FIV_NO_OVERLAP };
+    static const int counts[6] = { 0, 1, 2, 7, 33, MANY };
+    prt_fiv_table t = ball_table();
+    prt_fiv_occluder o[MANY];
+    prt_fiv_hidden h[MANY];
+    int k, i, f, n;
+    (void)state;
+    for (n = 0; n < 6; n++)
+        for (k = 0; k < 30; k++) {
+            prt_vec3 p = scaled(random_unit(), 0.2), normal = random_unit();
+            prt_rgb total = rgb(4, 3 * uniform(), 20);
+            scene_of(o, &t, counts[n]);
+            for (i = 0; i < counts[n]; i++) {
+                h[i].radius = 1;
+                h[i].to_centre = vec3((double)o[i].position.x - (double)p.x, (double)o[i].position.y - (double)p.y,
+                                      (double)o[i].position.z - (double)p.z);
+                assert_int_equal(prt_fiv_lookup(&t, h[i].to_centre, &h[i].fiv), PRT_OK);
+            }
+            for (f = 0; f < 4; f++) {
+                prt_rgb out = { 0, 0, 0 }, vectors = { 0, 0, 0 };
+                double want[3], tolerance = (20 + 4 * counts[n]) * EPS * 20;
+                textbook_shade(total, normal, counts[n], h, flags[f], want);
+                assert_int_equal(prt_fiv_shade(total, p, normal, counts[n], o, flags[f], &out), PRT_OK);
+                assert_int_equal(prt_fiv_shade_vectors(total, normal, counts[n], h, flags[f], &vectors), PRT_OK);
+                assert_near(out.r, want[0], tolerance); assert_near(out.g, want[1], tolerance);
+                assert_near(out.b, want[2], tolerance);
+                assert_near(vectors.r, want[0], tolerance); assert_near(vectors.b, want[2], tolerance);
+                assert_true(within(out, total));
+            }
+        }
+}
+
+static void batches_give_the_same_bits(void **state) {
+    prt_fiv_table t = ball_table();
+    prt_fiv_occluder o[MANY];
+    prt_vec3 p[RECEIVERS], n[RECEIVERS];
+    prt_rgb total[RECEIVERS], out[RECEIVERS], one;
+    int k, first, count;
+    (void)state;
+    skip_if_fast_math();
+    scene_of(o, &t, MANY);
+    for (k = 0; k < RECEIVERS; k++) {
+        p[k] = scaled(random_unit(), 2 * uniform());
+        n[k] = random_unit();
+        total[k] = rgb(4 * uniform(), 3, 2);
+    }
+    for (first = 0; first < RECEIVERS; first += 5)
+        for (count = 0; count <= RECEIVERS - first; count += count < 20 ? 1 : 11) {
+            assert_int_equal(prt_fiv_shade_n(count, total + first, p + first, n + first, 40, o, 0, out), PRT_OK);
+            for (k = 0; k < count; k += 7) {
+                prt_fiv_shade(total[first + k], p[first + k], n[first + k], 40, o, 0, &one);
+                assert_memory_equal(&one, &out[k], sizeof one);
+            }
+        }
+    memcpy(out, total, sizeof out);                                /* in place */
+    assert_int_equal(prt_fiv_shade_n(RECEIVERS, out, p, n, MANY, o, 0, out), PRT_OK);
+    for (k = 0; k < RECEIVERS; k++) {
+        prt_fiv_shade(total[k], p[k], n[k], MANY, o, 0, &one);
+        assert_memory_equal(&one, &out[k], sizeof one);
+    }
+}
+
+/* ---- self-shadow ---- */
+
+static void self_shadow_leaves_out_the_inside(void **state) {
+    prt_fiv_table t = random_table();
+    prt_fiv environment;
+    unsigned char inside[SAMPLES];
+    double v[9], all[9];
+    int k, c;
+    (void)state;
+    for (k = 0; k < SAMPLES; k++) inside[k] = (unsigned char)(k % 3 == 0);
+    t.inside = inside;
+    for (c = 0; c < 9; c++) all[c] = 2 * uniform() - 1;
+    environment = fiv_of(all);
+    for (k = 0; k < 500; k++) {
+        prt_vec3 p = scaled(random_unit(), 1 + 3 * uniform()), n = random_unit();
+        prt_rgb out;
+        textbook_lookup(&t, scaled(p, -1), v);
+        components(&environment, all);
+        assert_int_equal(prt_fiv_self(&environment, &t, p, n, &out), PRT_OK);
+        for (c = 0; c < 9; c++) v[c] = all[c] - v[c];
+        assert_near(out.r, fmax(0, dot3(v, n)), 5e5 * EPS); assert_near(out.g, fmax(0, dot3(v + 3, n)), 5e5 * EPS);
+        assert_near(out.b, fmax(0, dot3(v + 6, n)), 5e5 * EPS);
+    }
+}
+
+/* ---- the total ---- */
+
+/* I_tot = 1 + N.v is smooth: bilinear interpolation of it errs by its curvature, |v|, times (2/size)^2/8 a direction. */
+static void total_between_texels(void **state) {
+    enum { SIZE = 16 };
+    static prt_rgb total[6 * SIZE * SIZE];
+    static const int axis[6] = { 0, 0, 1, 1, 2, 2 };
+    int k, face;
+    double bound = 2 * 4.0 / SIZE / SIZE / 8 * 3;
+    (void)state;
+    for (k = 0; k < 6 * SIZE * SIZE; k++) {
+        double s = (2 * (k % SIZE) + 1.0) / SIZE - 1, u = (2 * (k / SIZE % SIZE) + 1.0) / SIZE - 1, d[3] = { 0, 0, 0 }, r;
+        face = k / SIZE / SIZE;
+        if (axis[face] == 0) { d[0] = face == 0 ? 1 : -1; d[1] = -u; d[2] = face == 0 ? -s : s; }
+        if (axis[face] == 1) { d[0] = s; d[1] = face == 2 ? 1 : -1; d[2] = face == 2 ? u : -u; }
+        if (axis[face] == 2) { d[0] = face == 4 ? s : -s; d[1] = -u; d[2] = face == 4 ? 1 : -1; }
+        r = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+        total[k] = rgb(2 + d[0] / r, 2 + d[1] / r, 2 + d[2] / r);
+    }
+    for (k = 0; k < 5000; k++) {
+        prt_vec3 n = random_unit();
+        prt_rgb got = prt_fiv_total(SIZE, total, n);
+        assert_near(got.r, 2 + (double)n.x, bound); assert_near(got.g, 2 + (double)n.y, bound);
+        assert_near(got.b, 2 + (double)n.z, bound);
+    }
+    assert_near(prt_fiv_total(SIZE, total, vec3(1, 0, 0)).r, 3, bound);
+    assert_true(prt_fiv_total(0, total, vec3(1, 0, 0)).r == 0 && prt_fiv_total(SIZE, NULL, vec3(1, 0, 0)).r == 0);
+    assert_true(finite_rgb(prt_fiv_total(1, total, vec3(0, 0, 0))));
+}
+
+/* ---- bad input: defined, finite, within 0 ... total ---- */
+
+static void every_place_is_survived(void **state) {
+    static const double sizes[7] = { 0, 1e-30, 1e-3, 1, 1e3, 1e18, 1e38 };
+    prt_fiv_table t = ball_table(), none = ball_table(), narrow = ball_table();
+    unsigned char inside[BALL_THETAS * BALL_PHIS * BALL_RHOS];
+    prt_fiv_occluder o[6];
+    const prt_rgb total = rgb(1, 3, 0);
+    int a, b, k, f;
+    (void)state;
+    memset(inside, 1, sizeof inside);
+    none.radius = 0;
+    narrow.theta_count = narrow.phi_count = narrow.rho_count = 1;
+    for (a = 0; a < 7; a++)
+        for (b = 0; b < 7; b++)
+            for (k = 0; k < 40; k++) {
+                prt_vec3 p = scaled(random_unit(), sizes[a]), n = random_unit();
+                prt_rgb out;
+                prt_fiv v;
+                t.inside = k % 2 ? inside : NULL;
+                for (f = 0; f < 6; f++) o[f].position = scaled(random_unit(), sizes[b]);
+                o[0].table = o[1].table = o[2].table = &t; o[3].table = &none; o[4].table = o[5].table = &narrow;
+                o[1].position = p;                                         /* at the receiver */
+                o[2].position = o[0].position;                             /* coincident */
+                assert_int_equal(prt_fiv_shade(total, p, n, 6, o, (unsigned)k % 4, &out), PRT_OK);
+                assert_true(finite_rgb(out) && within(out, total));
+                assert_int_equal(prt_fiv_lookup(&t, p, &v), PRT_OK);
+                assert_true(prt__finite3(v.r) && prt__finite3(v.g) && prt__finite3(v.b));
+                assert_int_equal(prt_fiv_self(&v, &t, p, n, &out), PRT_OK);
+                assert_true(finite_rgb(out) && out.r >= 0 && out.g >= 0 && out.b >= 0);
+            }
+}
+
+static void zero_radius_hides_nothing(void **state) {
+    prt_fiv_table t = ball_table();
+    prt_fiv_occluder o = { NULL, { 0, 0, 2 } };
+    prt_rgb out;
+    (void)state;
+    o.table = &t;
+    t.radius = 0;
+    assert_int_equal(prt_fiv_shade(rgb(1, 2, 3), vec3(0, 0, 0), vec3(0, 0, 1), 1, &o, 0, &out), PRT_OK);
+    assert_true(out.r == 1 && out.g == 2 && out.b == 3);
+    t.radius = -1;
+    assert_int_equal(prt_fiv_shade(rgb(1, 2, 3), vec3(0, 0, 0), vec3(0, 0, 1), 1, &o, 0, &out), PRT_OK);
+    assert_true(out.r == 1 && out.g == 2 && out.b == 3);
+}
+
+static void one_row_serves_every_direction(void **state) {
+    prt_real rho[2] = { 1, 2 };
+    prt_fiv samples[2 * 4];
+    prt_fiv_table t = { 1, 1, 2, rho, 1, samples, NULL };
+    prt_fiv f;
+    int k;
+    (void)state;
+    memset(samples, 0, sizeof samples);
+    samples[0].r.x = 2; samples[1].r.x = 4;
+    for (k = 0; k < 50; k++) {
+        assert_int_equal(prt_fiv_lookup(&t, scaled(random_unit(), 1.5), &f), PRT_OK);
+        assert_near(f.r.x, 3, 20 * EPS);
+    }
+    t.theta_count = 2; t.rho_count = 1;                                    /* theta = 0 and pi: linear between */
+    assert_int_equal(prt_fiv_lookup(&t, vec3(0.5, 0.5, 0), &f), PRT_OK);
+    assert_near(f.r.x, 3, 20 * EPS);
+    t.theta_count = 1; t.phi_count = 2;                                    /* phi = 0 and pi */
+    assert_int_equal(prt_fiv_lookup(&t, vec3(0, 0.9, 0.1), &f), PRT_OK);
+    assert_near(f.r.x, 3, 20 * EPS);
+    assert_int_equal(prt_fiv_lookup(&t, vec3(0, -0.9, 0.1), &f), PRT_OK);
+    assert_near(f.r.x, 3, 20 * EPS);
+}
+
+static void disordered_distances_and_bad_samples(void **state) {
+    prt_real rho[4] = { 3, 1, 1, -5 };
+    prt_fiv samples[4 * 2 * 4];
+    prt_fiv_table t = { 2, 4, 4, rho, 1, samples, NULL };
+    prt_fiv_occluder o[2] = { { NULL, { 0, 0, 2 } }, { NULL, { 1, 0, 1 } } };
+    const prt_rgb total = rgb(1, 2, 3);
+    const prt_real bad[4] = { (prt_real)NAN, (prt_real)INFINITY, -(prt_real)INFINITY, PRT__REAL_MAX };
+    prt_rgb out;
+    prt_fiv f;
+    int k, c;
+    (void)state;
+    skip_if_fast_math();
+    o[0].table = o[1].table = &t;
+    for (k = 0; k < 2000; k++) {
+        prt_real *value = (prt_real *)samples;
+        prt_vec3 n = random_unit();
+        for (c = 0; c < 32 * 9; c++) value[c] = uniform() < 0.03 ? bad[c % 4] : (prt_real)(2 * uniform() - 1);
+        if (k % 5 == 0) rho[k % 4] = bad[k / 4 % 4];
+        if (k % 7 == 0) rho[k % 4] = (prt_real)(4 * uniform() - 1);
+        if (k % 11 == 0) n.x = bad[k % 4];
+        if (k % 13 == 0) o[0].position.y = bad[k % 4]; else o[0].position.y = 0;
+        t.radius = k % 17 ? 1 : bad[k % 4];
+        assert_int_equal(prt_fiv_shade(total, vec3(0, 0, 0), n, 2, o, (unsigned)k % 4, &out), PRT_OK);
+        assert_true(finite_rgb(out) && within(out, total));
+        assert_int_equal(prt_fiv_lookup(&t, scaled(random_unit(), 2), &f), PRT_OK);
+        assert_true(prt__finite3(f.r) && prt__finite3(f.g) && prt__finite3(f.b));
+    }
+    for (c = 0; c < 32; c++) memset(&samples[c], 0xff, sizeof samples[c]);  /* NaN everywhere */
+    assert_int_equal(prt_fiv_lookup(&t, vec3(0, 1, 0), &f), PRT_OK);
+    assert_true(f.r.x == 0 && f.g.y == 0 && f.b.z == 0);
+    assert_int_equal(prt_fiv_shade(rgb(NAN, -1, 2), vec3(0, 0, 0), vec3(0, 0, 1), 2, o, 0, &out), PRT_OK);
+    assert_true(out.r == 0 && out.g == 0 && out.b == 2);
+}
+
+static void nan_samples_are_left_out(void **state) {
+    prt_fiv_table t = random_table();
+    unsigned char inside[SAMPLES];
+    double want[9], got[9];
+    prt_fiv f;
+    int k, n;
+    (void)state;
+    skip_if_fast_math();
+    for (k = 0; k < SAMPLES; k++) inside[k] = (unsigned char)(uniform() < 0.2);
+    for (k = 0; k < SAMPLES; k++) if (inside[k]) some_samples[k].g.y = (prt_real)NAN;
+    for (k = 0; k < 1000; k++) {
+        prt_vec3 to = scaled(random_unit(), 1 + 4 * uniform());
+        t.inside = NULL;
+        assert_int_equal(prt_fiv_lookup(&t, to, &f), PRT_OK);
+        t.inside = inside;
+        textbook_lookup(&t, to, want);
+        components(&f, got);
+        for (n = 0; n < 9; n++) assert_near(got[n], want[n], 5e5 * EPS);
+    }
+}
+
+/* If all eight are inside, all of them count. */
+static void all_inside_counts_all(void **state) {
+    prt_fiv_table t = random_table();
+    unsigned char inside[SAMPLES];
+    double want[9], got[9];
+    prt_fiv f;
+    int k, n;
+    (void)state;
+    memset(inside, 1, sizeof inside);
+    for (k = 0; k < 100; k++) {
+        prt_vec3 to = scaled(random_unit(), 1 + 4 * uniform());
+        t.inside = NULL;
+        textbook_lookup(&t, to, want);
+        t.inside = inside;
+        assert_int_equal(prt_fiv_lookup(&t, to, &f), PRT_OK);
+        components(&f, got);
+        for (n = 0; n < 9; n++) assert_near(got[n], want[n], 100 * EPS);
+    }
+}
+
+static void bad_arguments_write_nothing(void **state) {
+    prt_fiv_table t = random_table(), bad;
+    prt_fiv_occluder o[2];
+    prt_fiv_hidden h;
+    prt_fiv f;
+    prt_rgb out = { 7, 7, 7 }, total = { 1, 1, 1 };
+    prt_vec3 z = vec3(0, 0, 1);
+    int k;
+    (void)state;
+    memset(&h, 0, sizeof h);
+    memset(&f, 0, sizeof f);
+    o[0].table = o[1].table = &t;
+    o[0].position = o[1].position = z;
+    assert_int_equal(prt_fiv_lookup(NULL, z, &f), PRT_ERR_NULL);
+    assert_int_equal(prt_fiv_lookup(&t, z, NULL), PRT_ERR_NULL);
+    for (k = 0; k < 5; k++) {
+        prt_result want = k < 3 ? PRT_ERR_COUNT : PRT_ERR_NULL;
+        bad = t;
+        if (k == 0) bad.theta_count = 0;
+        if (k == 1) bad.phi_count = -1;
+        if (k == 2) bad.rho_count = 0;
+        if (k == 3) bad.rho = NULL;
+        if (k == 4) bad.samples = NULL;
+        o[1].table = &bad;
+        assert_int_equal(prt_fiv_lookup(&bad, z, &f), want);
+        assert_int_equal(prt_fiv_shade(total, z, z, 2, o, 0, &out), want);
+        assert_int_equal(prt_fiv_shade_n(1, &total, &z, &z, 2, o, 0, &out), want);
+        assert_int_equal(prt_fiv_self(&f, &bad, z, z, &out), want);
+    }
+    o[1].table = NULL;
+    assert_int_equal(prt_fiv_shade(total, z, z, 2, o, 0, &out), PRT_ERR_NULL);
+    assert_int_equal(prt_fiv_shade(total, z, z, -1, o, 0, &out), PRT_ERR_COUNT);
+    assert_int_equal(prt_fiv_shade(total, z, z, 1, NULL, 0, &out), PRT_ERR_NULL);
+    assert_int_equal(prt_fiv_shade(total, z, z, 1, o, 0, NULL), PRT_ERR_NULL);
+    assert_int_equal(prt_fiv_shade_n(-1, &total, &z, &z, 1, o, 0, &out), PRT_ERR_COUNT);
+    assert_int_equal(prt_fiv_shade_n(1, NULL, &z, &z, 1, o, 0, &out), PRT_ERR_NULL);
+    assert_int_equal(prt_fiv_shade_n(1, &total, NULL, &z, 1, o, 0, &out), PRT_ERR_NULL);
+    assert_int_equal(prt_fiv_shade_n(1, &total, &z, NULL, 1, o, 0, &out), PRT_ERR_NULL);
+    assert_int_equal(prt_fiv_shade_vectors(total, z, -1, &h, 0, &out), PRT_ERR_COUNT);
+    assert_int_equal(prt_fiv_shade_vectors(total, z, 1, NULL, 0, &out), PRT_ERR_NULL);
+    assert_int_equal(prt_fiv_shade_vectors(total, z, 1, &h, 0, NULL), PRT_ERR_NULL);
+    assert_int_equal(prt_fiv_self(NULL, &t, z, z, &out), PRT_ERR_NULL);
+    assert_int_equal(prt_fiv_self(&f, NULL, z, z, &out), PRT_ERR_NULL);
+    assert_int_equal(prt_fiv_self(&f, &t, z, z, NULL), PRT_ERR_NULL);
+    assert_true(out.r == 7 && out.g == 7 && out.b == 7 && f.r.x == 0);
+    assert_int_equal(prt_fiv_shade_n(0, NULL, NULL, NULL, 0, NULL, 0, NULL), PRT_OK);
+    assert_int_equal(prt_fiv_shade(total, z, z, 0, NULL, 0, &out), PRT_OK);
+    assert_true(out.r == 1);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(vectors_of_directions_add_up),
+        cmocka_unit_test(vector_of_a_cap),
+        cmocka_unit_test(lookup_returns_samples_at_their_places),
+        cmocka_unit_test(lookup_is_trilinear),
+        cmocka_unit_test(lookup_is_continuous_over_poles_and_seam),
+        cmocka_unit_test(lookup_falls_off_with_the_solid_angle),
+        cmocka_unit_test(interpolation_error_of_geometric_distances),
+        cmocka_unit_test(horizon_cuts_caps),
+        cmocka_unit_test(lens_of_two_discs),
+        cmocka_unit_test(overlap_takes_back_the_lens),
+        cmocka_unit_test(ball_over_a_plane),
+        cmocka_unit_test(shading_agrees_with_the_textbook),
+        cmocka_unit_test(batches_give_the_same_bits),
+        cmocka_unit_test(self_shadow_leaves_out_the_inside),
+        cmocka_unit_test(total_between_texels),
+        cmocka_unit_test(every_place_is_survived),
+        cmocka_unit_test(zero_radius_hides_nothing),
+        cmocka_unit_test(one_row_serves_every_direction),
+        cmocka_unit_test(disordered_distances_and_bad_samples),
+        cmocka_unit_test(nan_samples_are_left_out),
+        cmocka_unit_test(all_inside_counts_all),
+        cmocka_unit_test(bad_arguments_write_nothing),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
