@@ -7,6 +7,7 @@ FUZZ_SECONDS ?= 60
 
 help:
 	@echo "make demo       bake and relight the Stanford bunny; pictures in out/"
+	@echo "make vo         compare vector occluders with other techniques; writes docs/vo.md and its pictures"
 	@echo "make test       build and run every test; ends with 'N passed, N failed'"
 	@echo "make bench      time and error of every candidate, as tables and CSV"
 	@echo "make gen        rewrite the generated blocks of the headers (gen-check: only compare)"
@@ -29,6 +30,11 @@ demo:
 	@./deps.sh demo
 	@$(without_tests)
 	@cmake --build $(BUILD)/tools -j$(JOBS) --target demo
+
+vo:
+	@./deps.sh demo bench
+	@$(without_tests)
+	@cmake --build $(BUILD)/tools -j$(JOBS) --target vo
 
 bench:
 	@./deps.sh bench
@@ -56,4 +62,4 @@ install:
 clean:
 	rm -rf $(BUILD) out
 
-.PHONY: help test demo bench docs gen gen-check fuzz install clean
+.PHONY: help test demo vo bench docs gen gen-check fuzz install clean

@@ -296,7 +296,7 @@ static void shapes_are_well_made(void **state) {
         assert_int_equal(scene_part_of_point(&s, s.parts[k].first_point - 1), k - 1);
     }
     scene_free(&s);
-    assert_int_equal(scene_statue("nowhere.obj", 4, &s, &w), -1);
+    assert_int_equal(scene_statue("nowhere.obj", MESH_Z_UP, 4, &s, &w), -1);
 }
 
 int main(void) {

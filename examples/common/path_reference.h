@@ -11,7 +11,7 @@
 /* A place to shade, as seen along `towards` (a unit vector from the eye to the place). part < 0: nothing there. */
 typedef struct path_query { prt_vec3 position, normal, towards; int part; } path_query;
 
-enum { PATH_HALVES = 2, PATH_GROUPS = 8, PATH_LIGHTS = 64 };
+enum { PATH_HALVES = 2, PATH_GROUPS = 8, PATH_LIGHTS = 2048 };
 
 typedef struct path_reference {
     const scene           *scene;

@@ -299,7 +299,7 @@ static void add_mesh(builder *b, const mesh *m, double size) {
     }
 }
 
-int scene_statue(const char *path, int cells, scene *s, why *w) {
+int scene_statue(const char *path, mesh_up up, int cells, scene *s, why *w) {
     static const struct { ball where; double r, g, b; const char *name; } balls[] = {
         { { { -1.25, -0.55, 0.28 }, 0.28 }, 0.80, 0.10, 0.08, "red ball" },
         { { { 1.15, -0.70, 0.22 }, 0.22 }, 0.15, 0.60, 0.15, "green ball" },
@@ -311,7 +311,7 @@ int scene_statue(const char *path, int cells, scene *s, why *w) {
     size_t k;
     memset(&b, 0, sizeof b);
     memset(s, 0, sizeof *s);
-    if (mesh_load(path, MESH_Y_UP, &statue, w) || mesh_fit_unit_sphere(&statue, w)) return -1;
+    if (mesh_load(path, up, &statue, w) || mesh_fit_unit_sphere(&statue, w)) return -1;
     add_mesh(&b, &statue, 1.0);
     mesh_free(&statue);
     end_part(s, &b, "statue", matter(0.7, 0.68, 0.62, 0.15, 24));

@@ -37,7 +37,7 @@ int  scene_shapes(double fineness, scene *s, why *w);
 int  scene_ball(double fineness, scene *s, why *w);
 
 /* A mesh of a file, standing on a platform of `strips` x `strips` squares; with four coloured balls around it. */
-int  scene_statue(const char *path, int strips, scene *s, why *w);
+int  scene_statue(const char *path, mesh_up up, int strips, scene *s, why *w);
 
 void scene_free(scene *s);
 

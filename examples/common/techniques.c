@@ -10,7 +10,7 @@
 #include "vector.h"
 
 const char *const technique_names[TECHNIQUE_COUNT] = {
-    "Phong", "AO", "VO/DD", "VO/DD+DS+SS", "VO/DD+DS+SS, cap law", "SH3", "SH6", "CH3", "CH6"
+    "Phong", "AO", "VO/DD", "VO/DD, cap law", "VO/DD+DS+SS", "VO/DD+DS+SS, cap law", "SH3", "SH6", "CH3", "CH6"
 };
 
 enum { EVERYTHING = PRT_VO_NO_SHADOW | PRT_VO_NO_CAUSTIC | PRT_VO_NO_DD | PRT_VO_NO_DS | PRT_VO_NO_SS };
@@ -50,6 +50,7 @@ static int allocate(techniques *t, why *w) {
     size_t points = (size_t)t->scene->mesh.point_count;
     int k;
     t->points = (prt_vo_point *)malloc(points * sizeof *t->points);
+    t->matte_points = (prt_vo_point *)malloc(points * sizeof *t->matte_points);
     t->open = (prt_real *)malloc(points * sizeof *t->open);
     t->rows = (prt_vo_row *)malloc(points * sizeof *t->rows);
     t->first = (int *)malloc((points + 1) * sizeof *t->first);
@@ -60,12 +61,13 @@ static int allocate(techniques *t, why *w) {
         t->moments[k] = (prt_real *)malloc(points * row);
         if (!t->transfer[k] || !t->moments[k]) return why_set(w, "out of memory for transfer");
     }
-    return t->points && t->open && t->rows && t->first && t->occluders ? 0 : why_set(w, "out of memory for occluders");
+    return t->points && t->matte_points && t->open && t->rows && t->first && t->occluders ? 0 : why_set(w, "out of memory for occluders");
 }
 
 void techniques_free(techniques *t) {
     int k;
     free(t->points);
+    free(t->matte_points);
     free(t->open);
     free(t->rows);
     free(t->first);
@@ -259,7 +261,10 @@ int techniques_bake(techniques *t, why *w) {
     int k;
     describe_parts(t);
     if (allocate(t, w)) return -1;
-    for (k = 0; k < t->scene->mesh.point_count; k++) t->points[k] = shaded_point(t->scene, k);
+    for (k = 0; k < t->scene->mesh.point_count; k++) {
+        t->points[k] = t->matte_points[k] = shaded_point(t->scene, k);
+        t->matte_points[k].specular = rgb(0, 0, 0);
+    }
     if (bake_vo(t, w)) return -1;
     for (k = 0; k < TECHNIQUES_SH && t->with_sh; k++) if (bake_sh(t, k, w)) return -1;
     return 0;
@@ -306,8 +311,8 @@ static prt_vo_params params_of(technique which) {
     prt_vo_params p;
     memset(&p, 0, sizeof p);
     if (which == TECHNIQUE_PHONG || which == TECHNIQUE_AO) p.off = EVERYTHING;
-    if (which == TECHNIQUE_VO_DD) p.off = PRT_VO_NO_DS | PRT_VO_NO_SS;
-    if (which == TECHNIQUE_VO_CAP) p.law = PRT_VO_CAP;
+    if (which == TECHNIQUE_VO_DD || which == TECHNIQUE_VO_DD_CAP) p.off = PRT_VO_NO_DS | PRT_VO_NO_SS;
+    if (which == TECHNIQUE_VO_DD_CAP || which == TECHNIQUE_VO_CAP) p.law = PRT_VO_CAP;
     return p;
 }
 
@@ -318,8 +323,8 @@ static int shade_vo(const techniques *t, technique which, prt_vec3 eye, int ligh
     int *nobody = alone ? (int *)calloc((size_t)points + 1, sizeof *nobody) : NULL;
     prt_result result;
     if (alone && !nobody) return why_set(w, "out of memory");
-    p.off |= prt_vo_unneeded(t->scene->part_count, t->objects);
-    result = prt_vo_shade_n(&p, points, t->points, eye, alone ? nobody : t->first, t->occluders, light_count, lights, out);
+    p.off |= prt_vo_unneeded(t->scene->part_count, t->objects) | (t->matte ? PRT_VO_NO_DS | PRT_VO_NO_SS : 0);
+    result = prt_vo_shade_n(&p, points, t->matte ? t->matte_points : t->points, eye, alone ? nobody : t->first, t->occluders, light_count, lights, out);
     for (k = 0; k < points && which == TECHNIQUE_AO; k++) out[k] = rgb_scale(out[k], (double)t->open[k]);
     free(nobody);
     return result == PRT_OK ? 0 : why_set(w, "shading: %s", prt_result_string(result));

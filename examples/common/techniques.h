@@ -12,8 +12,9 @@ typedef enum technique {
     TECHNIQUE_PHONG,                   /* no shadows */
     TECHNIQUE_AO,                      /* Phong times ambient occlusion */
     TECHNIQUE_VO_DD,                   /* vector occluders: shadows as in the thesis, diffuse interreflection */
-    TECHNIQUE_VO,                      /* and those of shining surfaces, DS and SS */
-    TECHNIQUE_VO_CAP,                  /* the same with the cap law of shadows */
+    TECHNIQUE_VO_DD_CAP,               /* the same with the cap law of shadows */
+    TECHNIQUE_VO,                      /* VO/DD, and the interreflections of shining surfaces, DS and SS */
+    TECHNIQUE_VO_CAP,
     TECHNIQUE_SH3, TECHNIQUE_SH6,      /* transfer with one bounce, lights as infinitely distant deltas */
     TECHNIQUE_CH3, TECHNIQUE_CH6,      /* as the thesis uses CH: inner products in the place of coefficients */
     TECHNIQUE_COUNT
@@ -32,13 +33,14 @@ typedef struct techniques {
     prt_real            bias;
     int                 shining;       /* bake DS and SS too */
     int                 with_sh;
+    int                 matte;         /* shade as if nothing shone; may change between calls of techniques_shade */
     volatile sig_atomic_t *stop;
 
     prt_vo_object   objects[SCENE_PARTS];
     uint32_t        *corners;
     int             *groups;
     int             group_count;
-    prt_vo_point    *points;           /* the vertices with their materials */
+    prt_vo_point    *points, *matte_points;                /* the vertices with their materials */
     prt_real        *open;             /* ambient occlusion, 0 blocked ... 1 open */
     prt_vo_row      *rows;
     int             *first;            /* occluders of vertex k: first[k] ... first[k+1]-1 */

@@ -1,0 +1,1018 @@
+/* vo_compare: section 7.6 of [Sherif 2013] run again. Vector occluders beside Phong, ambient occlusion, spherical and
+   cpherical harmonics, all at the vertices, against path tracing of the same point lights.
+
+   Writes DIR/vo.md with its pictures in DIR/gallery and its plots in DIR/plots. What each number means:
+
+     RMSE    root mean square error of linear radiance over the pixels that the scene covers whole, all colours, divided by
+             the mean of the reference there; negative radiance counts as 0. The reference comes in two independent halves
+             R0, R1; the mean of (P-R0)(P-R1) is free of their noise.
+     SSIM    structural similarity of luminance as the screen shows it, see common/similarity.h.
+     noise   standard error of the reference picture, in the unit of RMSE.
+     time    of the processor: bakes on all cores together, shading on one, the least of several runs taken in turns.
+
+   References are kept in KEEP and taken up again: interrupt it and go on later. */
+#define _POSIX_C_SOURCE 200809L
+#define PRT_IMPLEMENTATION
+#define PRT_BAKE_IMPLEMENTATION
+#include "prt_bake.h"
+
+#include <errno.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "../bench/bench.h"
+#include "bake_job.h"
+#include "contact_sheet.h"
+#include "path_reference.h"
+#include "point_lights.h"
+#include "progress.h"
+#include "reference.h"
+#include "replacement.h"
+#include "shadow_laws.h"
+#include "similarity.h"
+#include "techniques.h"
+#include "vector.h"
+
+enum { SAMPLES_A_PIXEL = 2, MOST_LIGHTS = 32, SETS = 6, RUNS = 5 };
+static const int light_counts[SETS] = { 1, 2, 4, 8, 16, 32 };
+
+static volatile sig_atomic_t interrupted;
+static void on_interrupt(int number) {
+    interrupted = 1;
+    signal(number, SIG_DFL);
+}
+
+typedef struct options {
+    const char *out, *keep, *mesh, *environment;
+    int        rays, size, paths, directions, threads;
+    double     fineness;
+    mesh_up    up;
+} options;
+
+/* Lights in groups: set k of the lights around the scene is groups 0 ... k, at 1/light_counts[k] of their colour. */
+typedef struct rig {
+    const char      *name;
+    int             light_count, group_count, group[MOST_LIGHTS];
+    prt_point_light lights[MOST_LIGHTS];
+} rig;
+
+enum { AROUND, SKY, RIGS };
+
+/* What a scene looks like without approximation: at the samples of the view, and at the vertices. */
+typedef struct truth { const rig *lights; prt_rgb *pixels[PATH_HALVES], *vertices[PATH_HALVES]; double seconds; } truth;
+
+typedef struct score { double rmse, ssim; } score;
+
+typedef struct stage {                 /* one scene with everything about it */
+    const char    *name;
+    scene         shining, matte;      /* the same mesh */
+    embree_tracer tracer;
+    techniques    baked;
+    view          seen;
+    path_query    *pixel_queries, *vertex_queries;
+    rig           rigs[RIGS];
+    truth         truths[2][RIGS];     /* [matte][rig] */
+    score         scores[2][RIGS][TECHNIQUE_COUNT][SETS], at_vertices[2][RIGS][SETS];
+    double        noise[2][RIGS][SETS];
+    double        seconds[TECHNIQUE_COUNT][SETS];          /* of shading all vertices, shining, lights around */
+} stage;
+
+enum { LIGHT_SIZES = 4, STRENGTHS = 8, CAPS = 6, BALL_LAWS = 4, SKY_COUNTS = 8, SKY_TRUTH = PATH_LIGHTS };
+static const double light_sizes[LIGHT_SIZES] = { 0, 5, 15, 30 };       /* radii, degrees */
+static const double strengths[STRENGTHS] = { 0.5, 1, 1.5, 2, 3, 4, 5.5, 8 }, cap_angles[CAPS] = { 1, 5, 10, 20, 30, 45 };
+static const int sky_counts[SKY_COUNTS] = { 1, 2, 4, 8, 16, 32, 64, SKY_TRUTH };
+
+typedef struct law_study {
+    shadow_error none[LIGHT_SIZES], ao[LIGHT_SIZES], sine[STRENGTHS][LIGHT_SIZES], cap[CAPS][LIGHT_SIZES];
+} law_study;
+
+typedef struct study {
+    options   o;
+    stage     shapes, statue, ball;
+    law_study laws;
+    image     sky;
+    score     ball_scores[BALL_LAWS];
+    double    sky_errors[SKY_COUNTS];
+    double    ch_differs;              /* CH with its Gram matrix against SH, relative */
+    double    loop_seconds, batch_seconds;
+} study;
+
+static const prt_rgb background = { (prt_real)0.03, (prt_real)0.03, (prt_real)0.035 };
+
+/* ---- lights ---- */
+
+static void light_from_around(rig *r) {
+    int k, g;
+    r->name = "around";
+    r->light_count = MOST_LIGHTS;
+    r->group_count = SETS;
+    point_lights_around(MOST_LIGHTS, vec(0, 0, 0.4), 5, r->lights);
+    for (k = 0; k < MOST_LIGHTS; k++) {
+        for (g = 0; k >= light_counts[g]; g++) {}
+        r->group[k] = g;
+    }
+}
+
+static int light_from_sky(const image *sky, rig *r, why *w) {
+    r->name = "environment";
+    r->light_count = MOST_LIGHTS;
+    r->group_count = 1;
+    return point_lights_from_map(sky, MOST_LIGHTS, 100, r->lights, w);
+}
+
+/* The lights of a set, in the colours that they have in it; returns their number. */
+static int lights_of(const rig *r, int set, prt_point_light *lights) {
+    int count = r->group_count == 1 ? r->light_count : light_counts[set], k;
+    for (k = 0; k < count; k++) {
+        lights[k] = r->lights[k];
+        if (r->group_count > 1) lights[k].color = rgb_scale(lights[k].color, 1.0 / count);
+    }
+    return count;
+}
+
+static int sets_of(const rig *r) { return r->group_count == 1 ? 1 : SETS; }
+
+/* ---- truth ---- */
+
+static void ask(stage *s) {
+    int count = s->seen.width * s->seen.height, k;
+    for (k = 0; k < count; k++) {
+        path_query *q = &s->pixel_queries[k];
+        prt_point at;
+        q->part = s->seen.hits[k].object;
+        if (q->part < 0) continue;
+        at = scene_place(&s->shining, &s->seen.hits[k]);
+        q->position = at.position;
+        q->normal = at.normal;
+        q->towards = s->seen.rays[k].dir;
+    }
+    for (k = 0; k < s->shining.mesh.point_count; k++) {
+        path_query *q = &s->vertex_queries[k];
+        q->part = scene_part_of_point(&s->shining, k);
+        q->position = s->shining.mesh.points[k].position;
+        q->normal = s->shining.mesh.points[k].normal;
+        q->towards = vec_unit(vec_add(q->position, -1, s->seen.eye.eye), vec(0, 0, -1));
+    }
+}
+
+static int trace_some(const study *d, const stage *s, int matte, const rig *lights, const char *where, int count,
+                      const path_query *queries, int samples, prt_rgb *out[PATH_HALVES], double *seconds, why *w) {
+    char path[1024], what[96];
+    double before = processor_seconds();
+    path_reference r;
+    int half;
+    for (half = 0; half < PATH_HALVES; half++) {
+        out[half] = (prt_rgb *)malloc((size_t)count * (size_t)lights->group_count * sizeof(prt_rgb));
+        if (!out[half]) return why_set(w, "out of memory for the reference");
+    }
+    snprintf(path, sizeof path, "%s/vo-%s-%s-%s-%s.paths", d->o.keep, s->name, matte ? "matte" : "shining", lights->name, where);
+    snprintf(what, sizeof what, "reference: %s, %s, lights %s, %s", s->name, matte ? "matte" : "shining", lights->name, where);
+    memset(&r, 0, sizeof r);
+    r.scene = matte ? &s->matte : &s->shining;
+    r.tracer = &s->tracer.tracer;
+    r.light_count = lights->light_count;
+    r.lights = lights->lights;
+    r.group = lights->group;
+    r.group_count = lights->group_count;
+    r.samples = samples;
+    r.depth = 6;
+    r.bias = (prt_real)1e-4;
+    r.seed = 1;
+    r.threads = d->o.threads;
+    r.what = what;
+    r.stop = &interrupted;
+    r.query_count = count;
+    r.queries = queries;
+    r.out[0] = out[0];
+    r.out[1] = out[1];
+    if (path_reference_resume(&r, path, w)) return -1;
+    *seconds += processor_seconds() - before;
+    return r.done == count ? 0 : why_set(w, "interrupted; the reference so far is kept in %s, start again to go on", path);
+}
+
+static int trace_truth(const study *d, stage *s, int matte, int which, why *w) {
+    truth *t = &s->truths[matte][which];
+    t->lights = &s->rigs[which];
+    return trace_some(d, s, matte, t->lights, "pixels", s->seen.width * s->seen.height, s->pixel_queries, d->o.paths,
+                      t->pixels, &t->seconds, w) ||
+           trace_some(d, s, matte, t->lights, "vertices", s->shining.mesh.point_count, s->vertex_queries, 4 * d->o.paths,
+                      t->vertices, &t->seconds, w) ? -1 : 0;
+}
+
+/* One half of a set: the sum of its groups. */
+static prt_rgb sum_groups(const truth *t, const prt_rgb *values, size_t at, int set) {
+    int groups = t->lights->group_count, g;
+    prt_rgb sum = rgb(0, 0, 0);
+    for (g = 0; g < groups && (groups == 1 || g <= set); g++) {
+        prt_rgb one = values[at * (size_t)groups + (size_t)g];
+        sum = rgb((double)(sum.r + one.r), (double)(sum.g + one.g), (double)(sum.b + one.b));
+    }
+    return groups == 1 ? sum : rgb_scale(sum, 1.0 / light_counts[set]);
+}
+
+static int paint_truth(const stage *s, const truth *t, int set, int half, picture *to, why *w) {
+    size_t count = (size_t)s->seen.width * (size_t)s->seen.height, k;
+    prt_rgb *colors = (prt_rgb *)calloc((size_t)s->shining.mesh.point_count, sizeof *colors);
+    int failed = !colors || view_paint(&s->seen, &s->shining, colors, background, to, w);
+    free(colors);
+    if (failed) return why_set(w, "out of memory for a picture");
+    for (k = 0; k < count; k++) {
+        prt_rgb c;
+        if (s->seen.hits[k].object < 0) continue;
+        c = sum_groups(t, t->pixels[half], k, set);
+        to->rgba[4 * k] = (float)c.r; to->rgba[4 * k + 1] = (float)c.g; to->rgba[4 * k + 2] = (float)c.b;
+    }
+    return 0;
+}
+
+/* The truth at the vertices, interpolated: what no technique at the vertices can do better than. */
+static int paint_vertices(const stage *s, const truth *t, int set, int half, picture *to, why *w) {
+    int count = s->shining.mesh.point_count, k, failed;
+    prt_rgb *colors = (prt_rgb *)malloc((size_t)count * sizeof *colors);
+    if (!colors) return why_set(w, "out of memory for a picture");
+    for (k = 0; k < count; k++) colors[k] = sum_groups(t, t->vertices[half], (size_t)k, set);
+    failed = view_paint(&s->seen, &s->shining, colors, background, to, w);
+    free(colors);
+    return failed;
+}
+
+/* The mean of two pictures, in the first. */
+static void merge(picture *a, const picture *b) {
+    size_t count = 4 * (size_t)a->width * (size_t)a->height, k;
+    for (k = 0; k < count; k++) a->rgba[k] = 0.5f * (a->rgba[k] + b->rgba[k]);
+}
+
+/* ---- one technique ---- */
+
+static int paint(stage *s, int matte, int which, int set, technique how, picture *to, double *seconds, why *w) {
+    prt_point_light lights[MOST_LIGHTS];
+    int count = lights_of(&s->rigs[which], set, lights), failed;
+    prt_rgb *colors = (prt_rgb *)malloc((size_t)s->shining.mesh.point_count * sizeof *colors);
+    if (!colors) return why_set(w, "out of memory for a picture");
+    s->baked.matte = matte;
+    failed = techniques_shade(&s->baked, how, s->seen.eye.eye, vec(0, 0, 0.4), count, lights, colors, seconds, w) ||
+             (to && view_paint(&s->seen, &s->shining, colors, background, to, w));
+    free(colors);
+    return failed ? -1 : 0;
+}
+
+/* SH and CH have no answer to shining surfaces here, and without shine DS and SS add nothing. */
+static int takes_part(int matte, technique how) {
+    return matte ? how != TECHNIQUE_VO && how != TECHNIQUE_VO_CAP : how < TECHNIQUE_SH3;
+}
+
+static const float whole = 1;          /* alpha of what counts: surfaces that let nothing through */
+
+static score compare(const picture *p, const picture r[PATH_HALVES], const picture *mean) {
+    score s;
+    s.rmse = reference_error(p, p, &r[0], &r[1], SAMPLES_A_PIXEL, whole);
+    s.ssim = picture_similarity(p, mean, SAMPLES_A_PIXEL, picture_exposure(mean) / 3, whole);
+    return s;
+}
+
+static int measure_set(stage *s, int matte, int which, int set, why *w) {
+    const truth *t = &s->truths[matte][which];
+    picture r[PATH_HALVES], v[PATH_HALVES], mean, p;
+    int how, failed = 0;
+    memset(r, 0, sizeof r);
+    memset(v, 0, sizeof v);
+    memset(&mean, 0, sizeof mean);
+    if (paint_truth(s, t, set, 0, &r[0], w) || paint_truth(s, t, set, 1, &r[1], w) || paint_truth(s, t, set, 0, &mean, w) ||
+        paint_vertices(s, t, set, 0, &v[0], w) || paint_vertices(s, t, set, 1, &v[1], w)) return -1;
+    merge(&mean, &r[1]);
+    s->noise[matte][which][set] = 0.5 * reference_error(&r[0], &r[0], &r[1], &r[1], SAMPLES_A_PIXEL, whole);
+    s->at_vertices[matte][which][set].rmse = reference_error(&v[0], &v[1], &r[0], &r[1], SAMPLES_A_PIXEL, whole);
+    merge(&v[0], &v[1]);
+    s->at_vertices[matte][which][set].ssim = compare(&v[0], r, &mean).ssim;
+    for (how = 0; how < TECHNIQUE_COUNT && !failed; how++) {
+        if (!takes_part(matte, (technique)how)) continue;
+        memset(&p, 0, sizeof p);
+        failed = paint(s, matte, which, set, (technique)how, &p, NULL, w);
+        if (!failed) s->scores[matte][which][how][set] = compare(&p, r, &mean);
+        picture_free(&p);
+    }
+    picture_free(&r[0]); picture_free(&r[1]); picture_free(&v[0]); picture_free(&v[1]); picture_free(&mean);
+    return failed;
+}
+
+static int measure(const study *d, stage *s, int matte, int which, why *w) {
+    int set;
+    if (trace_truth(d, s, matte, which, w)) return -1;
+    for (set = 0; set < sets_of(&s->rigs[which]); set++) if (measure_set(s, matte, which, set, w)) return -1;
+    return interrupted ? why_set(w, "interrupted") : 0;
+}
+
+/* Shining, lights around: every technique and number of lights in turns, the least of some runs. */
+static int time_shading(stage *s, why *w) {
+    int run, set, how;
+    for (run = 0; run < RUNS; run++) {
+        for (set = 0; set < SETS; set++) {
+            for (how = 0; how < TECHNIQUE_COUNT; how++) {
+                double seconds;
+                if (paint(s, 0, AROUND, set, (technique)how, NULL, &seconds, w)) return -1;
+                if (run == 0 || seconds < s->seconds[how][set]) s->seconds[how][set] = seconds;
+            }
+        }
+    }
+    return 0;
+}
+
+/* prt_vo_shade for each vertex against prt_vo_shade_n for all, 8 lights, all terms. */
+static int time_batch(study *d, why *w) {
+    const techniques *t = &d->shapes.baked;
+    prt_point_light lights[MOST_LIGHTS];
+    int count = lights_of(&d->shapes.rigs[AROUND], 3, lights), points = d->shapes.shining.mesh.point_count, run, k;
+    prt_rgb *out = (prt_rgb *)malloc((size_t)points * sizeof *out);
+    prt_vo_params p;
+    prt_vec3 eye = d->shapes.seen.eye.eye;
+    if (!out) return why_set(w, "out of memory");
+    memset(&p, 0, sizeof p);
+    p.off = PRT_VO_NO_CAUSTIC;
+    for (run = 0; run < RUNS; run++) {
+        double start = processor_seconds(), middle, end;
+        for (k = 0; k < points; k++)
+            prt_vo_shade(&p, &t->points[k], eye, t->first[k + 1] - t->first[k], t->occluders + t->first[k], count, lights, &out[k]);
+        middle = processor_seconds();
+        prt_vo_shade_n(&p, points, t->points, eye, t->first, t->occluders, count, lights, out);
+        end = processor_seconds();
+        if (run == 0 || middle - start < d->loop_seconds) d->loop_seconds = middle - start;
+        if (run == 0 || end - middle < d->batch_seconds) d->batch_seconds = end - middle;
+    }
+    free(out);
+    return 0;
+}
+
+/* The largest difference between SH and CH used with its Gram matrix, over exit radiance at the vertices. */
+static int compare_ch(study *d) {
+    const techniques *t = &d->shapes.baked;
+    const rig *r = &d->shapes.rigs[AROUND];
+    enum { BANDS = 6, N = BANDS * BANDS };
+    prt_real light_sh[N], light[N], y[N], ch[N];
+    double most = 0, square = 0;
+    int k, i;
+    memset(light, 0, sizeof light);
+    memset(light_sh, 0, sizeof light_sh);
+    for (k = 0; k < r->light_count; k++) {
+        prt_vec3 dir = vec_unit(r->lights[k].position, vec(0, 0, 1));
+        prt_ch_eval(BANDS, dir, y);
+        for (i = 0; i < N; i++) light[i] += y[i];
+        prt_sh_delta(BANDS, dir, y);
+        for (i = 0; i < N; i++) light_sh[i] += y[i];
+    }
+    for (k = 0; k < d->shapes.shining.mesh.point_count; k++) {
+        const prt_real *row = t->transfer[1] + (size_t)k * 3 * N;
+        double by_sh = (double)prt_sh_dot(BANDS, row, light_sh), by_ch = 0;
+        prt_ch_from_sh(BANDS, row, ch);
+        for (i = 0; i < N; i++) by_ch += (double)ch[i] * (double)light[i];
+        if (fabs(by_ch - by_sh) > most) most = fabs(by_ch - by_sh);
+        square += by_sh * by_sh;
+    }
+    d->ch_differs = most / sqrt(square / d->shapes.shining.mesh.point_count);
+    return 0;
+}
+
+/* ---- stages ---- */
+
+static int size_of_samples(const study *d) { return d->o.size * SAMPLES_A_PIXEL; }
+
+static int bake_stage(const study *d, stage *s, int with_sh, why *w) {
+    s->baked.scene = &s->shining;
+    s->baked.tracer = &s->tracer;
+    s->baked.rays = d->o.rays;
+    s->baked.threads = d->o.threads;
+    s->baked.most_occluders = SCENE_PARTS;
+    s->baked.bias = (prt_real)1e-4;
+    s->baked.shining = 1;
+    s->baked.with_sh = with_sh;
+    s->baked.stop = &interrupted;
+    return techniques_bake(&s->baked, w);
+}
+
+static int set_up(const study *d, stage *s, const char *name, camera eye, int with_sh, why *w) {
+    int samples = size_of_samples(d);
+    s->name = name;
+    s->matte = s->shining;                                 /* shares the mesh */
+    scene_make_matte(&s->matte);
+    s->pixel_queries = (path_query *)calloc((size_t)samples * (size_t)samples, sizeof *s->pixel_queries);
+    s->vertex_queries = (path_query *)calloc((size_t)s->shining.mesh.point_count, sizeof *s->vertex_queries);
+    if (!s->pixel_queries || !s->vertex_queries) return why_set(w, "out of memory");
+    if (scene_trace_with(&s->shining, &s->tracer, w) || view_create(&s->shining, &s->tracer, eye, samples, samples, &s->seen, w))
+        return -1;
+    ask(s);
+    light_from_around(&s->rigs[AROUND]);
+    return light_from_sky(&d->sky, &s->rigs[SKY], w) || bake_stage(d, s, with_sh, w) ? -1 : 0;
+}
+
+static void stage_free(stage *s) {
+    int matte, which, half;
+    techniques_free(&s->baked);
+    view_free(&s->seen);
+    embree_tracer_destroy(&s->tracer);
+    free(s->pixel_queries);
+    free(s->vertex_queries);
+    for (matte = 0; matte < 2; matte++)
+        for (which = 0; which < RIGS; which++)
+            for (half = 0; half < PATH_HALVES; half++) {
+                free(s->truths[matte][which].pixels[half]);
+                free(s->truths[matte][which].vertices[half]);
+            }
+    scene_free(&s->shining);
+}
+
+/* ---- pictures ---- */
+
+enum { MOST_COLUMNS = TECHNIQUE_COUNT + 1, MOST_ROWS = 4 };
+
+typedef struct sheet_row { stage *s; int which, set; const char *name; } sheet_row;
+
+/* The mean of both halves. */
+static int paint_reference(const stage *s, int matte, int which, int set, picture *to, why *w) {
+    picture other;
+    memset(&other, 0, sizeof other);
+    if (paint_truth(s, &s->truths[matte][which], set, 0, to, w) || paint_truth(s, &s->truths[matte][which], set, 1, &other, w))
+        return -1;
+    merge(to, &other);
+    picture_free(&other);
+    return 0;
+}
+
+static void caption(sheet_cell *cell, const score *s) {
+    snprintf(cell->first, sizeof cell->first, "RMSE %.1f %%", 100 * s->rmse);
+    snprintf(cell->second, sizeof cell->second, "SSIM %.3f", s->ssim);
+}
+
+/* One row: the reference, then the techniques in order. */
+static int fill_row(const sheet_row *row, int matte, int columns, const technique *order, picture *pictures, sheet_cell *cells,
+                    why *w) {
+    int k;
+    if (paint_reference(row->s, matte, row->which, row->set, &pictures[0], w)) return -1;
+    cells[0].shown = &pictures[0];
+    snprintf(cells[0].first, sizeof cells[0].first, "noise %.1f %%", 100 * row->s->noise[matte][row->which][row->set]);
+    snprintf(cells[0].second, sizeof cells[0].second, "%.0f s", row->s->truths[matte][row->which].seconds);
+    for (k = 1; k < columns; k++) {
+        if (paint(row->s, matte, row->which, row->set, order[k - 1], &pictures[k], NULL, w)) return -1;
+        cells[k].shown = &pictures[k];
+        caption(&cells[k], &row->s->scores[matte][row->which][order[k - 1]][row->set]);
+    }
+    return 0;
+}
+
+static int write_sheet(const study *d, const char *file, const char *title, int matte, int rows, const sheet_row *row, int columns,
+                       const technique *order, why *w) {
+    static picture pictures[MOST_ROWS * MOST_COLUMNS];
+    static sheet_cell cells[MOST_ROWS * MOST_COLUMNS];
+    const char *heads[MOST_COLUMNS], *names[MOST_ROWS];
+    double exposures[MOST_ROWS];
+    char path[1024];
+    contact_sheet s;
+    int k, failed = 0;
+    memset(&s, 0, sizeof s);
+    memset(pictures, 0, sizeof pictures);
+    memset(cells, 0, sizeof cells);
+    heads[0] = "path traced";
+    for (k = 1; k < columns; k++) heads[k] = technique_names[order[k - 1]];
+    for (k = 0; k < rows && !failed; k++) {
+        failed = fill_row(&row[k], matte, columns, order, pictures + k * columns, cells + k * columns, w);
+        names[k] = row[k].name;
+        exposures[k] = failed ? 1 : picture_exposure(&pictures[k * columns]);
+    }
+    s.title = title;
+    s.rows = rows;
+    s.columns = columns;
+    s.per_pixel = SAMPLES_A_PIXEL;
+    s.width = s.height = d->o.size;
+    s.heads = heads;
+    s.names = names;
+    s.exposures = exposures;
+    s.cells = cells;
+    s.foot[0] = "RMSE: of linear radiance over the pixels of the scene, relative to the mean of the path-traced picture. All techniques "
+                "shade vertices.";
+    s.foot[1] = matte ? "CH3 and CH6 use inner products as coefficients, as the thesis does; with its Gram matrix CH gives the pictures of SH."
+                      : NULL;
+    snprintf(path, sizeof path, "%s/gallery/%s", d->o.out, file);
+    if (!failed) failed = contact_sheet_write(&s, path, w);
+    for (k = 0; k < rows * columns; k++) picture_free(&pictures[k]);
+    if (!failed) printf("%s\n", path);
+    return failed;
+}
+
+static int write_sheets(study *d, why *w) {
+    static const technique all[] = { TECHNIQUE_VO_DD, TECHNIQUE_VO_DD_CAP, TECHNIQUE_SH6, TECHNIQUE_SH3, TECHNIQUE_CH6, TECHNIQUE_CH3,
+                                     TECHNIQUE_AO, TECHNIQUE_PHONG };
+    static const technique shining[] = { TECHNIQUE_VO, TECHNIQUE_VO_CAP, TECHNIQUE_VO_DD, TECHNIQUE_AO, TECHNIQUE_PHONG };
+    sheet_row matte[3], bright[3];
+    int k;
+    for (k = 0; k < 3; k++) {
+        matte[k].s = k == 2 ? &d->statue : &d->shapes;
+        matte[k].which = k == 0 ? AROUND : SKY;
+        matte[k].set = 0;
+        bright[k].s = &d->shapes;
+        bright[k].which = k == 2 ? SKY : AROUND;
+        bright[k].set = k == 1 ? 3 : 0;
+    }
+    matte[0].name = "shapes\n1 point light";
+    matte[1].name = "shapes\nsky as 32 lights";
+    matte[2].name = "statue\nsky as 32 lights";
+    bright[0].name = "shapes\n1 point light";
+    bright[1].name = "shapes\n8 point lights";
+    bright[2].name = "shapes\nsky as 32 lights";
+    return write_sheet(d, "vo.jpg", "Vector occluders beside other techniques, diffuse scenes", 1, 3, matte, 9, all, w) ||
+           write_sheet(d, "vo-shining.jpg", "Vector occluders, shining scene", 0, 3, bright, 6, shining, w) ? -1 : 0;
+}
+
+/* ---- plots ---- */
+
+enum { MOST_SERIES = 8, MOST_PLACES = 128 };
+
+typedef struct plot {
+    const char *title, *across, *up, *more;                /* more: further commands of gnuplot */
+    int        series, places;
+    const char *names[MOST_SERIES];
+    double     x[MOST_PLACES], y[MOST_SERIES][MOST_PLACES];
+} plot;
+
+static int draw_plot(const study *d, const char *file, const plot *p, why *w) {
+    FILE *to = popen("gnuplot 2>/dev/null", "w");
+    int k, i;
+    if (!to) return why_set(w, "gnuplot cannot be started: install gnuplot-nox");
+    fprintf(to, "set terminal svg size 760,420 background rgb 'white'\nset output '%s/plots/%s'\nset title '%s'\nset xlabel '%s'\n"
+            "set ylabel '%s'\nset grid\nset key outside right\n%s\nplot ", d->o.out, file, p->title, p->across, p->up, p->more);
+    for (k = 0; k < p->series; k++)
+        fprintf(to, "%s'-' with %s lw 2 title '%s'", k ? ", " : "", p->places > 20 ? "lines" : "linespoints", p->names[k]);
+    fprintf(to, "\n");
+    for (k = 0; k < p->series; k++) {
+        for (i = 0; i < p->places; i++) fprintf(to, "%g %g\n", p->x[i], p->y[k][i]);
+        fprintf(to, "e\n");
+    }
+    return pclose(to) == 0 ? 0 : why_set(w, "%s/plots/%s: cannot be drawn: gnuplot is missing or failed; install gnuplot-nox", d->o.out, file);
+}
+
+/* ---- shadow laws ---- */
+
+static const double degree = 3.14159265358979323846 / 180;
+
+static prt_vo_params sine_law(double strength) {
+    prt_vo_params p;
+    memset(&p, 0, sizeof p);
+    p.shadow_strength = (prt_real)strength;
+    return p;
+}
+
+static prt_vo_params cap_law(double degrees) {
+    prt_vo_params p;
+    memset(&p, 0, sizeof p);
+    p.law = PRT_VO_CAP;
+    p.light_angle = (prt_real)(degrees * degree);
+    return p;
+}
+
+static int study_laws(study *d, why *w) {
+    law_study *l = &d->laws;
+    int a, k;
+    for (a = 0; a < LIGHT_SIZES; a++) {
+        shadow_truth traced;
+        int failed = shadow_truth_trace(&d->shapes.baked, d->o.directions, light_sizes[a] * degree, &traced, w);
+        if (!failed) {
+            l->none[a] = shadow_law_error(&d->shapes.baked, &traced, NULL);
+            l->ao[a] = shadow_ao_error(&d->shapes.baked, &traced);
+            for (k = 0; k < STRENGTHS; k++) {
+                prt_vo_params p = sine_law(strengths[k]);
+                l->sine[k][a] = shadow_law_error(&d->shapes.baked, &traced, &p);
+            }
+            for (k = 0; k < CAPS; k++) {
+                prt_vo_params p = cap_law(cap_angles[k]);
+                l->cap[k][a] = shadow_law_error(&d->shapes.baked, &traced, &p);
+            }
+        }
+        shadow_truth_free(&traced);
+        if (failed) return -1;
+    }
+    return 0;
+}
+
+/* One occluder of form factor 1/4, as figure 7.7: a cap of 30 degrees, the light on its way from its middle outwards. */
+static int plot_laws(const study *d, why *w) {
+    static plot p;
+    prt_vo_params laws[3];
+    int i;
+    laws[0] = sine_law(1.5);
+    laws[1] = sine_law(5.5);
+    laws[2] = cap_law(5);
+    p.title = "Light that one round occluder of form factor 1/4 lets through";
+    p.across = "angle between occlusion vector and light, degrees";
+    p.up = "share of the light";
+    p.more = "set yrange [-0.02:1.02]\nset xrange [0:90]";
+    p.series = 5;
+    p.places = 91;
+    p.names[0] = "sine law, N = 1.5"; p.names[1] = "sine law, N = 5.5"; p.names[2] = "cap law, light of 5 deg";
+    p.names[3] = "truth, light of 5 deg"; p.names[4] = "truth, point light";
+    for (i = 0; i < p.places; i++) {
+        int k;
+        p.x[i] = i;
+        for (k = 0; k < 3; k++) p.y[k][i] = shadow_law_of_cap(&laws[k], 30 * degree, i * degree);
+        p.y[3][i] = shadow_truth_of_cap(30 * degree, 5 * degree, i * degree);
+        p.y[4][i] = shadow_truth_of_cap(30 * degree, 0, i * degree);
+    }
+    return draw_plot(d, "vo-laws.svg", &p, w);
+}
+
+/* A ball over a platform under one low light, direct light alone: the pointy shadows of section 7.7.2. */
+static int paint_law(stage *s, const prt_vo_params *law, const prt_point_light *light, picture *to, why *w) {
+    int points = s->shining.mesh.point_count, failed;
+    prt_rgb *colors = (prt_rgb *)malloc((size_t)points * sizeof *colors);
+    prt_vo_params p = *law;
+    if (!colors) return why_set(w, "out of memory for a picture");
+    p.off = PRT_VO_NO_CAUSTIC | PRT_VO_NO_DD | PRT_VO_NO_DS | PRT_VO_NO_SS;
+    failed = prt_vo_shade_n(&p, points, s->baked.points, s->seen.eye.eye, s->baked.first, s->baked.occluders, 1, light, colors) != PRT_OK ||
+             view_paint(&s->seen, &s->shining, colors, background, to, w);
+    free(colors);
+    return failed ? why_set(w, "the ball cannot be painted") : 0;
+}
+
+static int study_ball(study *d, why *w) {
+    static const char *const heads[BALL_LAWS + 1] = { "traced", "sine law, N = 1.5", "sine law, N = 5.5", "cap law, light of 5°",
+                                                      "cap law, light of 20°" };
+    static const char *const names[1] = { "ball\n1 low light" };
+    picture pictures[BALL_LAWS + 1];
+    sheet_cell cells[BALL_LAWS + 1];
+    prt_vo_params laws[BALL_LAWS];
+    contact_sheet sheet;
+    stage *s = &d->ball;
+    char path[1024];
+    double exposure;
+    int k, failed;
+    laws[0] = sine_law(1.5);
+    laws[1] = sine_law(5.5);
+    laws[2] = cap_law(5);
+    laws[3] = cap_law(20);
+    memset(pictures, 0, sizeof pictures);
+    memset(cells, 0, sizeof cells);
+    memset(&sheet, 0, sizeof sheet);
+    s->rigs[AROUND].name = "low";
+    s->rigs[AROUND].light_count = s->rigs[AROUND].group_count = 1;
+    s->rigs[AROUND].lights[0].position = vec(-5, -1.5, 2.6);
+    s->rigs[AROUND].lights[0].color = rgb(1, 1, 1);
+    s->truths[1][AROUND].lights = &s->rigs[AROUND];
+    failed = trace_some(d, s, 1, &s->rigs[AROUND], "pixels", s->seen.width * s->seen.height, s->pixel_queries, 0,
+                        s->truths[1][AROUND].pixels, &s->truths[1][AROUND].seconds, w) ||
+             paint_truth(s, &s->truths[1][AROUND], 0, 0, &pictures[0], w);
+    for (k = 0; k < BALL_LAWS && !failed; k++) {
+        failed = paint_law(s, &laws[k], &s->rigs[AROUND].lights[0], &pictures[k + 1], w);
+        if (failed) break;
+        d->ball_scores[k].rmse = reference_error(&pictures[k + 1], &pictures[k + 1], &pictures[0], &pictures[0], SAMPLES_A_PIXEL, whole);
+        d->ball_scores[k].ssim = picture_similarity(&pictures[k + 1], &pictures[0], SAMPLES_A_PIXEL, picture_exposure(&pictures[0]) / 3, whole);
+        caption(&cells[k + 1], &d->ball_scores[k]);
+    }
+    for (k = 0; k <= BALL_LAWS; k++) cells[k].shown = &pictures[k];
+    exposure = failed ? 1 : picture_exposure(&pictures[0]);
+    sheet.title = "Shadow laws: one ball, one low light, direct light alone";
+    sheet.rows = 1; sheet.columns = BALL_LAWS + 1; sheet.per_pixel = SAMPLES_A_PIXEL;
+    sheet.width = sheet.height = d->o.size;
+    sheet.heads = heads; sheet.names = names; sheet.exposures = &exposure; sheet.cells = cells;
+    snprintf(path, sizeof path, "%s/gallery/vo-laws.jpg", d->o.out);
+    if (!failed) failed = contact_sheet_write(&sheet, path, w);
+    for (k = 0; k <= BALL_LAWS; k++) picture_free(&pictures[k]);
+    if (!failed) printf("%s\n", path);
+    return failed ? -1 : 0;
+}
+
+/* ---- how many lights a sky needs ---- */
+
+/* Direct light at the vertices, matte, of the environment as so many point lights; the last is the truth. */
+static int study_lights(study *d, why *w) {
+    stage *s = &d->shapes;
+    int points = s->matte.mesh.point_count, k, i, failed = 0;
+    prt_point_light *lights = (prt_point_light *)malloc(SKY_TRUTH * sizeof *lights);
+    prt_rgb *out[SKY_COUNTS] = { NULL }, *again = (prt_rgb *)malloc((size_t)points * sizeof *again);
+    path_reference r;
+    memset(&r, 0, sizeof r);
+    r.scene = &s->matte;
+    r.tracer = &s->tracer.tracer;
+    r.lights = lights;
+    r.group_count = 1;
+    r.bias = (prt_real)1e-4;
+    r.threads = d->o.threads;
+    r.stop = &interrupted;
+    r.query_count = points;
+    r.queries = s->vertex_queries;
+    if (!lights || !again) failed = why_set(w, "out of memory for lights");
+    for (k = 0; k < SKY_COUNTS && !failed; k++) {
+        out[k] = (prt_rgb *)malloc((size_t)points * sizeof(prt_rgb));
+        r.light_count = sky_counts[k];
+        r.out[0] = out[k];
+        r.out[1] = again;
+        r.done = 0;
+        failed = !out[k] || point_lights_from_map(&d->sky, sky_counts[k], 100, lights, w) || path_reference_trace(&r, w) ||
+                 (interrupted && why_set(w, "interrupted"));
+    }
+    for (k = 0; k < SKY_COUNTS && !failed; k++) {
+        double square = 0, sum = 0;
+        for (i = 0; i < points; i++) {
+            prt_rgb a = out[k][i], b = out[SKY_COUNTS - 1][i];
+            square += pow((double)(a.r - b.r), 2) + pow((double)(a.g - b.g), 2) + pow((double)(a.b - b.b), 2);
+            sum += (double)(b.r + b.g + b.b);
+        }
+        d->sky_errors[k] = sqrt(square / (3.0 * points)) / (sum / (3.0 * points));
+    }
+    for (k = 0; k < SKY_COUNTS; k++) free(out[k]);
+    free(lights);
+    free(again);
+    return failed ? -1 : 0;
+}
+
+/* ---- the page ---- */
+
+/* Numbers that shading reads of each occluder: its vectors in the C structure, of three numbers each, and a form factor. */
+static int numbers_of(technique how) {
+    if (how == TECHNIQUE_VO_DD || how == TECHNIQUE_VO_DD_CAP) return 4 * 3 + 1;
+    if (how == TECHNIQUE_VO || how == TECHNIQUE_VO_CAP) return 6 * 3 + 1;
+    return 0;
+}
+
+static double bytes_of(const study *d, technique how) {
+    const techniques *t = &d->shapes.baked;
+    double points = t->scene->mesh.point_count;
+    if (how == TECHNIQUE_PHONG) return 0;
+    if (how == TECHNIQUE_AO) return points * sizeof(prt_real);
+    if (how >= TECHNIQUE_SH3) {
+        int bands = techniques_bands[how == TECHNIQUE_SH6 || how == TECHNIQUE_CH6];
+        return points * 3 * PRT_SH_COUNT(bands) * sizeof(prt_real);
+    }
+    return (points + 1) * sizeof(int) + (double)t->occluder_count * numbers_of(how) * sizeof(prt_real);
+}
+
+static const double mebi = 1048576;
+
+static void bake_times(const techniques *t, technique how, double pass[2]) {
+    int six = how == TECHNIQUE_SH6 || how == TECHNIQUE_CH6;
+    pass[0] = how == TECHNIQUE_PHONG ? 0 : how >= TECHNIQUE_SH3 ? t->sh_seconds[six][0] : t->ao_seconds;
+    pass[1] = how <= TECHNIQUE_AO ? 0 : how <= TECHNIQUE_VO_DD_CAP ? t->vo_dd_seconds : how < TECHNIQUE_SH3 ? t->vo_seconds
+              : t->sh_seconds[six][1] + (how >= TECHNIQUE_CH3 ? t->ch_seconds[six] : 0);
+}
+
+static void write_table_of_costs(const study *d, FILE *to) {
+    static const char *const thesis[TECHNIQUE_COUNT] = { "0, 5500 fps, 0", "58, 5500, 0.019", "58 + 60, 4700, 1.03", "",
+        "58 + 85, 3500, 2.05", "", "60 + 63, 5100, 2.07", "62 + 68, 2500, 8.26", "56 + 61, 5100, 2.07", "60 + 66, 2500, 8.26" };
+    const stage *s = &d->shapes;
+    const double points = s->shining.mesh.point_count;
+    int how;
+    fprintf(to, "\n## Table 7.1 again\n\nShapes scene: %d triangles, %d vertices, %d parts, %d rays a vertex in each pass. Bake: processor "
+            "seconds, pass 1 + pass 2.\nShading: processor time a vertex on one core, all terms that the technique has; *a light more* is the "
+            "slope from 1 to 32 lights.\nStorage: what shading reads; a vertex sees %.2f occluders in the mean. RMSE and SSIM: one point light, "
+            "diffuse scene (for DD+DS+SS: shining).\n\n| technique | bake s | ns a vertex, 1 light | 8 lights | a light more | bytes a vertex | "
+            "MiB | RMSE | SSIM | thesis: bake s, frame rate, MB |\n|---|---:|---:|---:|---:|---:|---:|---:|---:|---|\n",
+            s->shining.mesh.triangle_count, s->shining.mesh.point_count, s->shining.part_count, d->o.rays,
+            s->baked.occluder_count / points);
+    for (how = 0; how < TECHNIQUE_COUNT; how++) {
+        const double *seconds = s->seconds[how];
+        double pass[2], bytes = bytes_of(d, (technique)how);
+        const score *e = &s->scores[takes_part(1, (technique)how)][AROUND][how][0];
+        bake_times(&s->baked, (technique)how, pass);
+        fprintf(to, "| %s | %.1f + %.1f | %.1f | %.1f | %.2f | %.1f | %.2f | %.1f %% | %.3f | %s |\n", technique_names[how], pass[0], pass[1],
+                1e9 * seconds[0] / points, 1e9 * seconds[3] / points, 1e9 * (seconds[SETS - 1] - seconds[0]) / points / 31,
+                bytes / points, bytes / mebi, 100 * e->rmse, e->ssim, thesis[how]);
+    }
+    fprintf(to, "\nSH and CH carry one bounce in three planes of coefficients, as the thesis' SH/DD. The transfer of CH is that of SH, converted "
+            "(in the time of pass 2).\nWith its Gram matrix CH gives what SH gives: exit radiance at the vertices differs by at most %.1e of its "
+            "root mean square.\n", d->ch_differs);
+}
+
+static void write_scores(const stage *s, int matte, int which, FILE *to) {
+    int sets = sets_of(&s->rigs[which]), set, how;
+    fprintf(to, "\n| RMSE %%, SSIM |");
+    for (set = 0; set < sets; set++) {
+        int lights = s->rigs[which].group_count == 1 ? s->rigs[which].light_count : light_counts[set];
+        fprintf(to, " %d light%s |", lights, lights > 1 ? "s" : "");
+    }
+    fprintf(to, "\n|---|");
+    for (set = 0; set < sets; set++) fprintf(to, "---:|");
+    fprintf(to, "\n| *noise of the reference* |");
+    for (set = 0; set < sets; set++) fprintf(to, " %.2f |", 100 * s->noise[matte][which][set]);
+    fprintf(to, "\n| *reference at the vertices* |");
+    for (set = 0; set < sets; set++)
+        fprintf(to, " %.1f, %.3f |", 100 * s->at_vertices[matte][which][set].rmse, s->at_vertices[matte][which][set].ssim);
+    for (how = 0; how < TECHNIQUE_COUNT; how++) {
+        if (!takes_part(matte, (technique)how)) continue;
+        fprintf(to, "\n| %s |", technique_names[how]);
+        for (set = 0; set < sets; set++)
+            fprintf(to, " %.1f, %.3f |", 100 * s->scores[matte][which][how][set].rmse, s->scores[matte][which][how][set].ssim);
+    }
+    fprintf(to, "\n");
+}
+
+static void write_errors(const study *d, FILE *to) {
+    fprintf(to, "\n## Error by number of lights\n\n![RMSE by number of lights](plots/vo-error.svg)\n\nPoint lights around the shapes, at about "
+            "twice the scene's radius. The path-traced picture has all bounces to the sixth, each technique at most one.\n*Reference at the "
+            "vertices* is the truth at the vertices, interpolated: no technique that shades vertices can do better.\n\nDiffuse scene:\n");
+    write_scores(&d->shapes, 1, AROUND, to);
+    fprintf(to, "\nShining scene (SH and CH have no transfer matrices here and do not take part):\n");
+    write_scores(&d->shapes, 0, AROUND, to);
+    fprintf(to, "\nThe environment as 32 point lights, shapes, diffuse:\n");
+    write_scores(&d->shapes, 1, SKY, to);
+    fprintf(to, "\nThe same, shining:\n");
+    write_scores(&d->shapes, 0, SKY, to);
+    fprintf(to, "\nThe same, a statue among balls, diffuse (%d vertices, %d parts, %.2f occluders a vertex):\n",
+            d->statue.shining.mesh.point_count, d->statue.shining.part_count,
+            (double)d->statue.baked.occluder_count / d->statue.shining.mesh.point_count);
+    write_scores(&d->statue, 1, SKY, to);
+}
+
+static void write_decay(const study *d, FILE *to) {
+    const double points = d->shapes.shining.mesh.point_count;
+    int how, set;
+    fprintf(to, "\n## Figure 7.21 again: time by number of lights\n\n![Time a vertex by number of lights](plots/vo-decay.svg)\n\nNanoseconds a "
+            "vertex on one core.\n\n| technique |");
+    for (set = 0; set < SETS; set++) fprintf(to, " %d |", light_counts[set]);
+    fprintf(to, "\n|---|---:|---:|---:|---:|---:|---:|\n");
+    for (how = 0; how < TECHNIQUE_COUNT; how++) {
+        fprintf(to, "| %s |", technique_names[how]);
+        for (set = 0; set < SETS; set++) fprintf(to, " %.0f |", 1e9 * d->shapes.seconds[how][set] / points);
+        fprintf(to, "\n");
+    }
+    fprintf(to, "\nOne call of `prt_vo_shade_n` for all vertices against `prt_vo_shade` for each, 8 lights, all terms: %.0f against %.0f ns a "
+            "vertex, **%.2f times as fast** (target: 4).\n", 1e9 * d->batch_seconds / points, 1e9 * d->loop_seconds / points,
+            d->loop_seconds / d->batch_seconds);
+}
+
+static void write_storage(const study *d, FILE *to) {
+    const techniques *t = &d->shapes.baked;
+    double points = 5013, each = (double)t->occluder_count / t->scene->mesh.point_count;
+    fprintf(to, "\n## Storage\n\nAt the thesis' 5013 vertices, MiB; %.2f occluders a vertex as baked here (of %d; %d dropped), and 5. The structure "
+            "holds all eight vectors and both form factors, %d bytes; a program that packs what it reads needs the other columns.\n\n"
+            "| | numbers an occluder | %.2f a vertex | 5 a vertex | thesis |\n|---|---:|---:|---:|---:|\n", each, t->scene->part_count, t->dropped,
+            (int)sizeof(prt_vo_occluder), each);
+    fprintf(to, "| VO/DD | %d | %.2f | %.2f | 1.03 |\n", numbers_of(TECHNIQUE_VO_DD),
+            points * (4 + each * 4 * numbers_of(TECHNIQUE_VO_DD)) / mebi, points * (4 + 5.0 * 4 * numbers_of(TECHNIQUE_VO_DD)) / mebi);
+    fprintf(to, "| VO/DD+DS+SS | %d | %.2f | %.2f | 2.05 |\n", numbers_of(TECHNIQUE_VO), points * (4 + each * 4 * numbers_of(TECHNIQUE_VO)) / mebi,
+            points * (4 + 5.0 * 4 * numbers_of(TECHNIQUE_VO)) / mebi);
+    fprintf(to, "| all, `prt_vo_occluder` | %d | %.2f | %.2f | |\n", (int)(sizeof(prt_vo_occluder) / sizeof(prt_real)),
+            points * (4 + each * (double)sizeof(prt_vo_occluder)) / mebi, points * (4 + 5.0 * (double)sizeof(prt_vo_occluder)) / mebi);
+}
+
+static void write_law_row(FILE *to, const char *name, const shadow_error *e) {
+    int a;
+    fprintf(to, "| %s |", name);
+    for (a = 0; a < LIGHT_SIZES; a++) fprintf(to, " %.3f, %+.3f |", e[a].rms, e[a].bias);
+    fprintf(to, "\n");
+}
+
+static void write_laws(const study *d, FILE *to) {
+    char name[64];
+    int k;
+    fprintf(to, "\n## Shadow laws\n\n![What one round occluder lets through](plots/vo-laws.svg)\n\nThe thesis' law is sin(b)^(2 N F), N = 1.5 in its "
+            "figures; `PRT_VO_CAP` takes an occluder for a round cap of its form factor and the light for\na disc. Error of the shadow factor, the "
+            "product over occluders, against traced light: %d directions at each vertex of the shapes, spread by\ncosine; root mean square, and mean "
+            "(positive: too much light). Lights of several angular radii.\n\n| law | point light | 5° | 15° | 30° |\n|---|---:|---:|---:|---:|\n",
+            d->o.directions);
+    write_law_row(to, "no shadow", d->laws.none);
+    write_law_row(to, "ambient occlusion", d->laws.ao);
+    for (k = 0; k < STRENGTHS; k++) {
+        snprintf(name, sizeof name, "sine, N = %g", strengths[k]);
+        write_law_row(to, name, d->laws.sine[k]);
+    }
+    for (k = 0; k < CAPS; k++) {
+        snprintf(name, sizeof name, "cap, light of %g°", cap_angles[k]);
+        write_law_row(to, name, d->laws.cap[k]);
+    }
+    fprintf(to, "\n![A ball under a low light](gallery/vo-laws.jpg)\n");
+}
+
+static void write_sky(const study *d, FILE *to) {
+    int k;
+    fprintf(to, "\n## How many point lights an environment needs\n\nDirect light at the vertices of the shapes, `%s` cut into so many point lights "
+            "(median cut), against %d.\n\n| lights |", strrchr(d->o.environment, '/') ? strrchr(d->o.environment, '/') + 1 : d->o.environment, SKY_TRUTH);
+    for (k = 0; k < SKY_COUNTS - 1; k++) fprintf(to, " %d |", sky_counts[k]);
+    fprintf(to, "\n|---|---:|---:|---:|---:|---:|---:|---:|\n| RMSE %% |");
+    for (k = 0; k < SKY_COUNTS - 1; k++) fprintf(to, " %.1f |", 100 * d->sky_errors[k]);
+    fprintf(to, "\n");
+}
+
+static int write_page(const study *d, why *w) {
+    char path[1024];
+    replacement r;
+    FILE *to;
+    snprintf(path, sizeof path, "%s/vo.md", d->o.out);
+    if (replacement_open(path, &r, w)) return -1;
+    to = r.file;
+    fprintf(to, "<!-- Written by examples/vo_compare: do not edit. `make vo` measures and writes anew. -->\n# Vector occluders, measured\n\nSection 7.6 "
+            "of Sherif's thesis (2013) run again with `prt_vo_shade_n` and `prt_bake_vo`, beside what else lights vertices from a bake.\nprt.h %s; "
+            "machine: %s; compiler: %s; flags: %s; rays by Embree.\n\n![Contact sheet](gallery/vo.jpg)\n\n![Contact sheet, shining](gallery/vo-shining.jpg)\n",
+            PRT_VERSION, bench_cpu_name(), EXAMPLE_COMPILER, EXAMPLE_FLAGS);
+    write_table_of_costs(d, to);
+    write_errors(d, to);
+    write_decay(d, to);
+    write_storage(d, to);
+    write_laws(d, to);
+    write_sky(d, to);
+    if (replacement_commit(&r, w)) return -1;
+    printf("%s\n", path);
+    return 0;
+}
+
+static int plot_lights(const study *d, why *w) {
+    static const technique timed[] = { TECHNIQUE_PHONG, TECHNIQUE_VO_DD, TECHNIQUE_VO, TECHNIQUE_SH3, TECHNIQUE_SH6 };
+    static const technique judged[] = { TECHNIQUE_PHONG, TECHNIQUE_AO, TECHNIQUE_VO_DD, TECHNIQUE_VO_DD_CAP, TECHNIQUE_SH3, TECHNIQUE_SH6,
+                                        TECHNIQUE_CH6 };
+    static plot p, q;
+    int k, set;
+    p.title = "Shading time";
+    q.title = "Error, diffuse shapes";
+    p.across = q.across = "point lights";
+    p.up = "ns a vertex";
+    q.up = "RMSE, % of the mean";
+    p.more = q.more = "set logscale xy\nset xtics (1,2,4,8,16,32)";
+    p.places = q.places = SETS;
+    p.series = 5;
+    q.series = 8;
+    for (set = 0; set < SETS; set++) {
+        p.x[set] = q.x[set] = light_counts[set];
+        for (k = 0; k < 5; k++) p.y[k][set] = 1e9 * d->shapes.seconds[timed[k]][set] / d->shapes.shining.mesh.point_count;
+        for (k = 0; k < 7; k++) q.y[k][set] = 100 * d->shapes.scores[1][AROUND][judged[k]][set].rmse;
+        q.y[7][set] = 100 * d->shapes.at_vertices[1][AROUND][set].rmse;
+    }
+    for (k = 0; k < 5; k++) p.names[k] = technique_names[timed[k]];
+    for (k = 0; k < 7; k++) q.names[k] = technique_names[judged[k]];
+    q.names[7] = "truth at vertices";
+    return draw_plot(d, "vo-decay.svg", &p, w) || draw_plot(d, "vo-error.svg", &q, w) ? -1 : 0;
+}
+
+/* ---- the program ---- */
+
+static int make_directory(const char *parent, const char *name, why *w) {
+    char path[1024];
+    snprintf(path, sizeof path, "%s%s%s", parent, *name ? "/" : "", name);
+    return mkdir(path, 0777) && errno != EEXIST ? why_set(w, "%s: cannot be made a directory: %s", path, strerror(errno)) : 0;
+}
+
+static int prepare(study *d, why *w) {
+    camera eye = camera_orbit(vec(0, 0, 0.35), 7.0, -1.25, 0.55, 0.55), low = camera_orbit(vec(0.2, 0, 0.2), 6.2, -1.25, 0.7, 0.5);
+    camera at_statue = camera_orbit(vec(0, 0, 0.55), 6.6, -1.3, 0.35, 0.5);
+    if (make_directory(d->o.out, "", w) || make_directory(d->o.out, "gallery", w) || make_directory(d->o.out, "plots", w) ||
+        make_directory(d->o.keep, "", w) || image_load_environment(d->o.environment, &d->sky, w)) return -1;
+    if (scene_shapes(d->o.fineness, &d->shapes.shining, w) || scene_ball(d->o.fineness, &d->ball.shining, w) ||
+        scene_statue(d->o.mesh, d->o.up, 34, &d->statue.shining, w)) return -1;
+    return set_up(d, &d->shapes, "shapes", eye, 1, w) || set_up(d, &d->statue, "statue", at_statue, 1, w) ||
+           set_up(d, &d->ball, "ball", low, 0, w) ? -1 : 0;
+}
+
+static int run(study *d, why *w) {
+    int matte;
+    if (prepare(d, w) || time_shading(&d->shapes, w) || time_batch(d, w)) return -1;
+    compare_ch(d);
+    for (matte = 1; matte >= 0; matte--)
+        if (measure(d, &d->shapes, matte, AROUND, w) || measure(d, &d->shapes, matte, SKY, w)) return -1;
+    if (measure(d, &d->statue, 1, SKY, w) || study_laws(d, w) || study_ball(d, w) || study_lights(d, w)) return -1;
+    return write_sheets(d, w) || plot_lights(d, w) || plot_laws(d, w) || write_page(d, w) ? -1 : 0;
+}
+
+static int parse(int count, char **words, options *o, why *w) {
+    int i;
+    o->out = o->keep = "out";
+    o->mesh = "/usr/share/glmark2/models/horse.3ds";
+    o->environment = PRT_EXAMPLE_DATA "/courtyard.hdr";
+    o->rays = 4096;
+    o->size = 190;
+    o->paths = 32;
+    o->directions = 64;
+    o->fineness = 1;
+    o->up = MESH_Z_UP;
+    o->threads = processor_count();
+    for (i = 1; i + 1 < count; i += 2) {
+        const char *word = words[i], *value = words[i + 1];
+        if (strcmp(word, "--out") == 0) o->out = value;
+        else if (strcmp(word, "--keep") == 0) o->keep = value;
+        else if (strcmp(word, "--mesh") == 0) o->mesh = value;
+        else if (strcmp(word, "--up") == 0 && (*value == 'y' || *value == 'z')) o->up = *value == 'y' ? MESH_Y_UP : MESH_Z_UP;
+        else if (strcmp(word, "--environment") == 0) o->environment = value;
+        else if (strcmp(word, "--rays") == 0) o->rays = atoi(value);
+        else if (strcmp(word, "--size") == 0) o->size = atoi(value);
+        else if (strcmp(word, "--paths") == 0) o->paths = atoi(value);
+        else if (strcmp(word, "--directions") == 0) o->directions = atoi(value);
+        else if (strcmp(word, "--fineness") == 0) o->fineness = atof(value);
+        else if (strcmp(word, "--threads") == 0) o->threads = atoi(value);
+        else break;
+    }
+    if (i < count || o->rays < 1 || o->rays > 1000000 || o->size < 16 || o->size > 2048 || o->paths < 1 || o->paths > 65536 ||
+        o->directions < 1 || o->directions > 4096 || !(o->fineness >= 0.1 && o->fineness <= 10) || o->threads < 1 || o->threads > 256)
+        return why_set(w, "usage: vo_compare [--out DIR] [--keep DIR] [--mesh FILE] [--up y|z] [--environment FILE.hdr] [--rays N] [--size 16...2048] "
+                          "[--paths N] [--directions N] [--fineness 0.1...10] [--threads N]");
+    return 0;
+}
+
+int main(int count, char **words) {
+    static study d;
+    why w;
+    int failed;
+    signal(SIGINT, on_interrupt);
+    signal(SIGPIPE, SIG_IGN);
+    failed = parse(count, words, &d.o, &w) || run(&d, &w);
+    if (failed) fprintf(stderr, "vo_compare: %s\n", w.line);
+    stage_free(&d.shapes);
+    stage_free(&d.statue);
+    stage_free(&d.ball);
+    image_free(&d.sky);
+    return failed ? interrupted ? 130 : 1 : 0;
+}
