@@ -785,7 +785,7 @@ typedef enum prt_vo_law {
                                           axis fully, however small it is, and one at 90 degrees never */
     PRT_VO_CAP                         /* block = 1 - the share of the light's disc, of radius light_angle, behind a round
                                           cap about `occlusion` that has the occluder's form factor: sin^2 a =
-                                          F/max(N.occlusion, F). The share by chords and a cubic step, as [Oat 2007] */
+                                          F/max(N.occlusion, F). The share within 0.023 (see [Oat 2007]) */
 } prt_vo_law;
 
 typedef struct prt_vo_params {         /* zero-initialise; 0 means the default in brackets */
@@ -803,7 +803,8 @@ typedef struct prt_vo_params {         /* zero-initialise; 0 means the default i
    Errors: PRT_ERR_COUNT (a count below 0); PRT_ERR_NULL. Values are not checked. out may not overlap the inputs.
    Cost: for each light an exponential; for each occluder and light, by what is not off: 25 operations and a power for
    block, the same for focus, 30 for DD, 15 and a power each for DS and SS. A gloss that is an integer up to 64 needs
-   multiplications alone. Accuracy: 32 eps of the sum of |terms| for exponents up to 10 (tests/test_vo.c). */
+   multiplications alone. Accuracy: 32 eps of the sum of |terms|, the
+   direct one times (1 + sum of |its change for a turn of the directions by 1 radian|), for exponents to 13 (tests/test_vo.c). */
 PRTDEF prt_result prt_vo_shade(const prt_vo_params *params, const prt_vo_point *point, prt_vec3 eye,
                                int occluder_count, const prt_vo_occluder *occluders,
                                int light_count, const prt_point_light *lights, prt_rgb *out);
@@ -5744,14 +5745,19 @@ PRT__INLINE prt_real prt__vo_sin2(prt_vec3 d, prt_vec3 l) {
     return prt__dot3(d, l) > 0 && s < 1 ? s : 1;
 }
 
-/* Share of a disc of radius `light` that a disc of radius `cap` leaves open, centres `apart`: 1 outside, the share of the
-   areas inside, between them a cubic step. */
+/* Share of the smaller of two discs that lies behind the other, by how deep they are in each other, u = 0 outside ... 1 inside,
+   and by the ratio of their radii: the step [Oat 2007] uses, and a correction fitted to the area of the lens, within 0.023. */
+#define PRT__LENS_STEP(u, ratio) ((u) * (u) * (3 - (u) - (u)) + \
+    (u) * (1 - (u)) * ((1 - (u) - (u)) * (1 - (ratio)) * PRT__R(0.2) - (u) * (u) * (ratio) * PRT__R(1.4)))
+
+/* Share of a disc of radius `light` that a disc of radius `cap` leaves open, centres `apart`. */
 PRT__INLINE prt_real prt__vo_cap_open(prt_real cap, prt_real light, prt_real apart) {
-    prt_real least = cap < light ? cap : light, u = (cap + light - apart) / (2 * least), area = cap / light;
+    prt_real least = cap < light ? cap : light, most = cap < light ? light : cap, u, share;
     if (!(least > 0)) return 1;
+    u = (cap + light - apart) / (2 * least);
     u = u > 0 ? u < 1 ? u : 1 : 0;
-    area = area < 1 ? area * area : 1;
-    return 1 - area * u * u * (3 - 2 * u);
+    share = least / light;
+    return 1 - share * share * PRT__LENS_STEP(u, least / most);
 }
 
 PRT__INLINE prt_real prt__vo_block(const prt__vo_law *law, const prt__vo_seen *s, prt_vec3 l) {
@@ -5828,6 +5834,403 @@ PRT__STATIC prt_rgb prt__vo_shade(const prt__vo_law *law, const prt_vo_point *p,
     return sum;
 }
 
+/* ---- the same for PRT__LANES points at once ---- */
+
+/* The bits of a prt__vec, for masks and exponents: signed, since a comparison gives -1 or 0 in each lane and exponents have a
+   sign; unsigned for sums, which may wrap where the value makes no sense. */
+#if PRT__SIMD
+#  ifdef PRT_DOUBLE
+typedef int64_t prt__bits __attribute__((vector_size(PRT__VEC_BYTES)));
+typedef uint64_t prt__ubits __attribute__((vector_size(PRT__VEC_BYTES)));
+#  else
+typedef int32_t prt__bits __attribute__((vector_size(PRT__VEC_BYTES)));
+typedef uint32_t prt__ubits __attribute__((vector_size(PRT__VEC_BYTES)));
+#  endif
+PRT__INLINE prt__bits prt__vec_less(prt__vec a, prt__vec b) { return (prt__bits)(a < b); }
+#else
+#  ifdef PRT_DOUBLE
+typedef int64_t prt__bits;
+typedef uint64_t prt__ubits;
+#  else
+typedef int32_t prt__bits;
+typedef uint32_t prt__ubits;
+#  endif
+PRT__INLINE prt__bits prt__vec_less(prt__vec a, prt__vec b) { return -(prt__bits)(a < b); }
+#endif
+PRT__INLINE prt__bits prt__vec_bits(prt__vec v) { prt__bits b; memcpy(&b, &v, sizeof b); return b; }
+PRT__INLINE prt__ubits prt__vec_ubits(prt__vec v) { prt__ubits b; memcpy(&b, &v, sizeof b); return b; }
+PRT__INLINE prt__vec prt__vec_of_ubits(prt__ubits b) { prt__vec v; memcpy(&v, &b, sizeof v); return v; }
+PRT__INLINE prt__vec prt__vec_of_bits(prt__bits b) { prt__vec v; memcpy(&v, &b, sizeof v); return v; }
+PRT__INLINE prt__vec prt__vec_masked(prt__bits mask, prt__vec v) { return prt__vec_of_bits(mask & prt__vec_bits(v)); }
+PRT__INLINE prt__vec prt__vec_select(prt__bits mask, prt__vec a, prt__vec b) {
+    return prt__vec_of_bits((mask & prt__vec_bits(a)) | (~mask & prt__vec_bits(b)));
+}
+PRT__INLINE prt__vec prt__vec_above0(prt__vec v) { return prt__vec_masked(prt__vec_less(prt__vec_set(0), v), v); }
+
+/* Layout of a prt_real: bits of the fraction, the bits of sqrt(1/2), and the first guess of 1/sqrt. */
+#ifdef PRT_DOUBLE
+#  define PRT__FRACTION 52
+#  define PRT__ROOT_HALF UINT64_C(0x3fe6a09e667f3bcd)
+#  define PRT__ROOT_GUESS UINT64_C(0x5fe6eb50c7b537a9)
+#  define PRT__ROUNDER 6755399441055744.0                      /* 1.5 * 2^52: its unit is 1 */
+#  define PRT__ROUNDER_BITS UINT64_C(0x4338000000000000)
+#  define PRT__WHOLE 5629499534213120.0                        /* 1.25 * 2^52: another, so that nothing is folded */
+#  define PRT__WHOLE_BITS UINT64_C(0x4334000000000000)
+#  define PRT__LEAST_POWER (-1021.0)
+#  define PRT__MOST_POWER 1024.25
+enum { PRT__ROOT_STEPS = 4, PRT__LOG_TERMS = 11, PRT__EXP_TERMS = 13 };
+#else
+#  define PRT__FRACTION 23
+#  define PRT__ROOT_HALF 0x3f3504f3u
+#  define PRT__ROOT_GUESS 0x5f375a86u
+#  define PRT__ROUNDER 12582912.0
+#  define PRT__ROUNDER_BITS 0x4b400000u
+#  define PRT__WHOLE 10485760.0
+#  define PRT__WHOLE_BITS 0x4b200000u
+#  define PRT__LEAST_POWER (-125.0)
+#  define PRT__MOST_POWER 128.25
+enum { PRT__ROOT_STEPS = 3, PRT__LOG_TERMS = 5, PRT__EXP_TERMS = 7 };
+#endif
+
+/* A small whole number as a prt_real where mask is all ones, else 0. With -ffast-math sums may be taken in another order; the
+   mask keeps this difference from being torn apart. */
+PRT__INLINE prt__vec prt__vec_of_whole(prt__ubits n, prt__bits mask) {
+    return prt__vec_masked(mask, prt__vec_of_ubits(n + PRT__WHOLE_BITS) - PRT__R(PRT__WHOLE));
+}
+
+/* 1/sqrt(v) by Newton's method, 2 ulp: cheaper than a root and a division, and plain arithmetic. 0 where v is so small that
+   the square of that would overflow, so that v/|v| is 0 for vectors without length. */
+PRT__INLINE prt__vec prt__vec_inverse_root(prt__vec v) {
+    prt__vec half = v * PRT__R(-0.5), y = prt__vec_of_ubits(PRT__ROOT_GUESS - (prt__vec_ubits(v) >> 1));
+    int k;
+    for (k = 0; k < PRT__ROOT_STEPS; k++) y *= half * (y * y) + PRT__R(1.5);
+    return prt__vec_masked(prt__vec_less(prt__vec_set(PRT__REAL_MIN * 16), v), y);
+}
+
+/* log2 of v > 0: v = 2^e m with m in [sqrt(1/2), sqrt(2)), f = (m-1)/(m+1), log m = 2 (f + f^3/3 + f^5/5 + ...).
+   Of 0 a number that makes any power but the 0th vanish. */
+PRT__INLINE prt__vec prt__vec_log2(prt__vec v) {
+    prt__ubits bits = prt__vec_ubits(v), e = (prt__ubits)((prt__bits)(bits - PRT__ROOT_HALF) >> PRT__FRACTION);
+    prt__vec m = prt__vec_of_ubits(bits - (e << PRT__FRACTION)), f = (m - PRT__R(1)) / (m + PRT__R(1)), z = f * f, sum;
+    prt__bits positive = prt__vec_less(prt__vec_set(0), v);
+    int k;
+    sum = prt__vec_set(PRT__R(2.88539008177792681472 / (2 * PRT__LOG_TERMS - 1)));         /* 2/ln 2 over 1, 3, 5 ... */
+    for (k = PRT__LOG_TERMS - 1; k > 0; k--) sum = sum * z + PRT__R(2.88539008177792681472 / (2 * k - 1));
+    return prt__vec_select(positive, sum * f + prt__vec_of_whole(e, positive), prt__vec_set(PRT__R(-1e30)));
+}
+
+/* 2^t: 2^n times the exponential series of (t-n) ln 2, |t-n| <= 1/2. 0 below PRT__LEAST_POWER; not finite (infinity or
+   NaN) where it overflows. */
+PRT__INLINE prt__vec prt__vec_exp2(prt__vec t) {
+    static const prt_real series[14] = {                       /* ln(2)^k / k! */
+        PRT__R(1), PRT__R(6.93147180559945309417e-1), PRT__R(2.40226506959100712334e-1), PRT__R(5.55041086648215799532e-2),
+        PRT__R(9.61812910762847716198e-3), PRT__R(1.33335581464284434234e-3), PRT__R(1.54035303933816099544e-4),
+        PRT__R(1.52527338040598402800e-5), PRT__R(1.32154867901443094884e-6), PRT__R(1.01780860092396997275e-7),
+        PRT__R(7.05491162080112332988e-9), PRT__R(4.44553827187081149760e-10), PRT__R(2.56784359934882051420e-11),
+        PRT__R(1.36914888539041288809e-12)
+    };
+    prt__bits counts = prt__vec_less(prt__vec_set(PRT__R(PRT__LEAST_POWER)), t);
+    prt__ubits n;
+    prt__vec sum = prt__vec_set(series[PRT__EXP_TERMS]), rest;
+    int k;
+    t = prt__vec_select(counts, t, prt__vec_set(0));
+    t = prt__vec_select(prt__vec_less(t, prt__vec_set(PRT__R(PRT__MOST_POWER))), t, prt__vec_set(PRT__R(PRT__MOST_POWER)));
+    n = prt__vec_ubits(t + PRT__R(PRT__ROUNDER)) - PRT__ROUNDER_BITS;
+    rest = t - prt__vec_of_whole(n, counts);
+    for (k = PRT__EXP_TERMS - 1; k >= 0; k--) sum = sum * rest + series[k];
+    return prt__vec_masked(counts, prt__vec_of_ubits(prt__vec_ubits(sum) + (n << PRT__FRACTION)));
+}
+
+PRT__INLINE prt__vec prt__vec_dot3(const prt__vec *a, const prt__vec *b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+/* v at length 1; adds the square of its length to *squares, which tells whether one overflowed. */
+PRT__INLINE prt__vec prt__vec_unit(prt__vec *v, prt__vec *squares) {
+    prt__vec square = prt__vec_dot3(v, v), inverse = prt__vec_inverse_root(square);
+    *squares += square;
+    v[0] *= inverse; v[1] *= inverse; v[2] *= inverse;
+    return square;
+}
+
+PRT__INLINE void prt__vec_reflect(const prt__vec *a, const prt__vec *n, prt__vec *out) {
+    prt__vec twice = prt__vec_dot3(a, n) * PRT__R(-2);
+    out[0] = twice * n[0] + a[0]; out[1] = twice * n[1] + a[1]; out[2] = twice * n[2] + a[2];
+}
+
+/* out[i] = number i of every row, for rows of `fields` numbers, fields >= PRT__LANES. */
+PRT__INLINE void prt__lanes_load(const prt_real *const *rows, int fields, prt__vec *out) {
+    int from, lane;
+    for (from = 0; from < fields; from += PRT__LANES) {
+        int at = from + PRT__LANES <= fields ? from : fields - PRT__LANES;
+        for (lane = 0; lane < PRT__LANES; lane++) out[at + lane] = prt__vec_load(rows[lane] + at);
+        prt__lanes_transpose(out + at);
+    }
+}
+
+enum { PRT__VO_FIELDS = 26, PRT__VO_POINT_FIELDS = 16 };
+typedef char prt__vo_occluder_is_reals[sizeof(prt_vo_occluder) == PRT__VO_FIELDS * sizeof(prt_real) ? 1 : -1];
+typedef char prt__vo_point_is_reals[sizeof(prt_vo_point) == PRT__VO_POINT_FIELDS * sizeof(prt_real) ? 1 : -1];
+
+/* Points side by side, in the order of prt_vo_point, their positions halved; sum: what they send to the eye. */
+typedef struct prt__vo_lanes {
+    prt__vec position[3], normal[3], diffuse[3], specular[3], emissive[3], shininess;
+    prt__vec mirror[3], sum[3], squares;
+} prt__vo_lanes;
+
+/* Occluders side by side, in the order of prt_vo_occluder. */
+typedef struct prt__vo_seen_lanes {
+    prt__vec position[3], occlusion[3], caustic[3], transmissive[3], diffuse_normal[3], specular_normal[3];
+    prt__vec diffuse[3], specular[3], form_factor, caustic_factor;
+} prt__vo_seen_lanes;
+
+/* What PRT__VO_LIGHTS lights send straight to the points: direction, product of the factors of translucent occluders, and
+   the logarithm of that of opaque ones. */
+typedef struct prt__vo_light_lanes { prt__vec l[3], factor[3], log_block; } prt__vo_light_lanes;
+
+PRT__INLINE void prt__vo_lanes_towards(const prt__vec *half_position, prt_vec3 to, prt__vec *out) {
+    out[0] = PRT__R(0.5) * to.x - half_position[0];
+    out[1] = PRT__R(0.5) * to.y - half_position[1];
+    out[2] = PRT__R(0.5) * to.z - half_position[2];
+}
+
+PRT__INLINE void prt__vo_lanes_halve(prt__vec *v) { v[0] *= PRT__R(0.5); v[1] *= PRT__R(0.5); v[2] *= PRT__R(0.5); }
+
+/* sin^2 of the angle between unit vectors, 1 from 90 degrees on: with q = |d-l|^2 it is q (1 - q/4), and nothing cancels. */
+PRT__INLINE prt__vec prt__vo_lanes_chord2(const prt__vec *d, const prt__vec *l) {
+    prt__vec x = d[0] - l[0], y = d[1] - l[1], z = d[2] - l[2];
+    return x * x + y * y + z * z;
+}
+PRT__INLINE prt__vec prt__vo_lanes_sin2(const prt__vec *d, const prt__vec *l) {
+    prt__vec q = prt__vo_lanes_chord2(d, l);
+    return prt__vec_select(prt__vec_less(q, prt__vec_set(2)), q * (q * PRT__R(-0.25) + PRT__R(1)), prt__vec_set(1));
+}
+
+PRT__INLINE prt__vec prt__vo_lanes_gloss(const prt__vo_law *law, prt__vec x) {
+    prt__vec value = prt__vec_set(1);
+    int power = law->gloss_power;
+    if (power == 0) return prt__vec_exp2(prt__vec_log2(x) * law->gloss);
+    for (;; x *= x) {
+        if (power & 1) value *= x;
+        if ((power >>= 1) == 0) return value;
+    }
+}
+
+PRT__INLINE prt__vec prt__vo_lanes_root(prt__vec v) { return v * prt__vec_inverse_root(v); }
+
+/* As prt__cap_chord and prt__vo_cap_open. */
+PRT__INLINE prt__vec prt__vo_lanes_cap_chord(prt__vec f, prt__vec cosine) {
+    prt__vec one = prt__vec_set(1), sin2 = prt__vec_select(prt__vec_less(f, cosine), f / cosine, one);
+    return prt__vec_masked(prt__vec_less(prt__vec_set(0), f),
+                           prt__vo_lanes_root(PRT__R(2) * sin2 / (prt__vo_lanes_root(one - sin2) + PRT__R(1))));
+}
+PRT__INLINE prt__vec prt__vo_lanes_cap_open(prt__vec cap, prt_real light, prt__vec apart) {
+    prt__vec zero = prt__vec_set(0), one = prt__vec_set(1), disc = prt__vec_set(light);
+    prt__bits inside = prt__vec_less(cap, disc);
+    prt__vec least = prt__vec_select(inside, cap, disc), most = prt__vec_select(inside, disc, cap), share, u;
+    u = prt__vec_above0((cap + disc - apart) / (least + least));
+    u = prt__vec_select(prt__vec_less(u, one), u, one);
+    share = least / disc;
+    return prt__vec_select(prt__vec_less(zero, cap), one - share * share * PRT__LENS_STEP(u, least / most), one);
+}
+
+/* Prepares the occluder: directions to unit length, exponents, colours. In place: occlusion and caustic become directions,
+   form_factor and caustic_factor exponents, position half of itself, specular_normal the direction of DS, diffuse and
+   specular the colours of DD and DS. ss, ss_dir: those of SS; cap: the chord of the cap law. */
+PRT__INLINE void prt__vo_lanes_see(const prt__vo_law *law, prt__vo_lanes *p, prt__vo_seen_lanes *o, prt__vec *ss,
+                                   prt__vec *ss_dir, prt__vec *cap) {
+    prt__vec zero = prt__vec_set(0), v[3], n[3], specular, square, lined_up;
+    int c;
+    prt__vo_lanes_halve(o->position);
+    square = prt__vec_unit(o->occlusion, &p->squares);
+    o->form_factor = prt__vec_masked(prt__vec_less(zero, square), prt__vec_above0(o->form_factor));
+    if (law->off & PRT_VO_NO_SHADOW) o->form_factor = zero;
+    if (law->cap) *cap = prt__vo_lanes_cap_chord(o->form_factor, prt__vec_dot3(p->normal, o->occlusion));
+    else o->form_factor = prt__vec_above0(o->form_factor * law->shadow);
+    square = prt__vec_unit(o->caustic, &p->squares);
+    o->caustic_factor = prt__vec_masked(prt__vec_less(zero, square), prt__vec_above0(o->caustic_factor));
+    o->caustic_factor = law->off & PRT_VO_NO_CAUSTIC ? zero : prt__vec_above0(o->caustic_factor * law->caustic);
+    for (c = 0; c < 3; c++) {
+        o->diffuse[c] *= p->diffuse[c] * (law->off & PRT_VO_NO_DD ? 0 : law->dd);
+        ss[c] = o->specular[c] * p->specular[c];
+        o->specular[c] *= p->diffuse[c];
+        v[c] = o->position[c] - p->position[c];
+        n[c] = o->specular_normal[c];
+    }
+    if ((law->off & PRT_VO_NO_DS) && (law->off & PRT_VO_NO_SS)) return;
+    prt__vec_unit(v, &p->squares);
+    specular = prt__vo_lanes_root(prt__vec_unit(n, &p->squares));
+    prt__vec_reflect(v, n, o->specular_normal);
+    prt__vec_reflect(p->mirror, n, ss_dir);
+    lined_up = prt__vec_masked(prt__vec_less(zero, prt__vec_dot3(p->normal, v)),
+                               prt__vec_above0(prt__vec_dot3(p->mirror, v)));
+    for (c = 0; c < 3; c++) {
+        o->specular[c] *= specular * law->ds;
+        ss[c] *= specular * lined_up * law->ss;
+    }
+}
+
+/* Adds what the occluders send from one light. */
+PRT__INLINE void prt__vo_lanes_send(const prt__vo_law *law, prt__vo_lanes *p, const prt__vo_seen_lanes *o,
+                                    const prt__vec *ss, const prt__vec *ss_dir, const prt_point_light *light) {
+    prt__vec l[3], square, inverse, dd, ds = prt__vec_set(0), mirrored = ds;
+    prt__vo_lanes_towards(o->position, light->position, l);
+    square = prt__vec_dot3(l, l);
+    inverse = prt__vec_inverse_root(square);
+    p->squares += square;
+    dd = prt__vec_above0(prt__vec_dot3(o->diffuse_normal, l)) * inverse;
+    if (!(law->off & PRT_VO_NO_DS))
+        ds = prt__vo_lanes_gloss(law, prt__vec_above0(prt__vec_dot3(o->specular_normal, l)) * inverse);
+    if (!(law->off & PRT_VO_NO_SS))
+        mirrored = prt__vo_lanes_gloss(law, prt__vec_above0(prt__vec_dot3(ss_dir, l)) * inverse);
+    if ((law->off & PRT_VO_NO_DS) && (law->off & PRT_VO_NO_SS)) {
+        p->sum[0] += o->diffuse[0] * dd * light->color.r;
+        p->sum[1] += o->diffuse[1] * dd * light->color.g;
+        p->sum[2] += o->diffuse[2] * dd * light->color.b;
+        return;
+    }
+    p->sum[0] += (o->diffuse[0] * dd + o->specular[0] * ds + ss[0] * mirrored) * light->color.r;
+    p->sum[1] += (o->diffuse[1] * dd + o->specular[1] * ds + ss[1] * mirrored) * light->color.g;
+    p->sum[2] += (o->diffuse[2] * dd + o->specular[2] * ds + ss[2] * mirrored) * light->color.b;
+}
+
+/* Whether any lane of any of three vectors is not 0. */
+PRT__INLINE int prt__vo_lanes_any(const prt__vec *v) {
+    prt_real lane[3 * PRT__LANES];
+    int k, any = 0;
+    for (k = 0; k < 3; k++) prt__vec_store(lane + k * PRT__LANES, v[k]);
+    for (k = 0; k < 3 * PRT__LANES; k++) any |= lane[k] < 0 || lane[k] > 0;
+    return any;
+}
+
+/* What one occluder of each point does to the light that comes straight from some lights, and what it sends itself. */
+PRT__INLINE void prt__vo_lanes_occlude(const prt__vo_law *law, prt__vo_lanes *p, prt__vo_seen_lanes *o, int light_count,
+                                       const prt_point_light *lights, prt__vo_light_lanes *direct) {
+    prt__vec zero = prt__vec_set(0), one = prt__vec_set(1), ss[3], ss_dir[3] = { zero, zero, zero }, cap = one, least = prt__vec_set(law->least);
+    prt__bits clear[3], translucent;
+    int j, c, any = prt__vo_lanes_any(o->transmissive);
+    prt__vo_lanes_see(law, p, o, ss, ss_dir, &cap);
+    for (c = 0; c < 3; c++)
+        clear[c] = prt__vec_less(zero, o->transmissive[c]) | prt__vec_less(o->transmissive[c], zero);
+    translucent = clear[0] | clear[1] | clear[2];
+    for (j = 0; j < light_count; j++) {
+        prt__vo_light_lanes *d = &direct[j];
+        prt__vec block = one, focus;
+        if (law->off & PRT_VO_NO_SHADOW) {
+            block = one;
+        } else if (law->cap) {
+            block = prt__vo_lanes_cap_open(cap, law->light_chord, prt__vo_lanes_root(prt__vo_lanes_chord2(o->occlusion, d->l)));
+        } else {
+            prt__vec log_block = o->form_factor * prt__vec_log2(prt__vo_lanes_sin2(o->occlusion, d->l));
+            d->log_block += prt__vec_masked(~translucent, log_block);
+            if (any) block = prt__vec_exp2(prt__vec_masked(translucent, log_block));
+        }
+        if (any) {
+            focus = prt__vo_lanes_sin2(o->caustic, d->l);
+            focus = prt__vec_select(prt__vec_less(least, focus), focus, least);
+            focus = prt__vec_exp2(zero - o->caustic_factor * prt__vec_log2(focus));
+            for (c = 0; c < 3; c++) d->factor[c] *= (one - o->transmissive[c]) * block + o->transmissive[c] * focus;
+        } else if (law->cap) {
+            for (c = 0; c < 3; c++) d->factor[c] *= block;
+        }
+        if ((law->off & PRT__VO_SENDS) != PRT__VO_SENDS) prt__vo_lanes_send(law, p, o, ss, ss_dir, &lights[j]);
+    }
+}
+
+/* A light's direction from the points; what it sends if nothing is in its way. */
+PRT__INLINE void prt__vo_lanes_light(prt__vo_lanes *p, const prt_point_light *light, prt__vo_light_lanes *d) {
+    prt__vec square, spread, gloss;
+    int c;
+    prt__vo_lanes_towards(p->position, light->position, d->l);
+    square = prt__vec_unit(d->l, &p->squares);
+    spread = prt__vec_above0(prt__vec_dot3(p->normal, d->l));
+    gloss = prt__vec_exp2(p->shininess * prt__vec_log2(prt__vec_above0(prt__vec_dot3(p->mirror, d->l))));
+    for (c = 0; c < 3; c++) d->factor[c] = p->diffuse[c] * spread + p->specular[c] * gloss;
+    d->log_block = prt__vec_set(0);
+    d->l[0] = prt__vec_select(prt__vec_less(prt__vec_set(0), square), d->l[0], prt__vec_set(4));   /* on the point: no */
+}                                                                                      /* direction is within 90 degrees */
+
+/* The zero occluder, for lanes whose point sees fewer than others; a point without anything, for lanes past the last. */
+static const prt_vo_occluder prt__vo_none = { { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 },
+                                              { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 }, 0, 0 };
+static const prt_vo_point prt__vo_nowhere = { { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 }, 0 };
+
+/* Points and where their occluders stand: what prt_vo_shade_n was given. */
+typedef struct prt__vo_batch {
+    const prt__vo_law *law;
+    const prt_vo_point *points;
+    const int *first;
+    const prt_vo_occluder *occluders;
+    prt_vec3 eye;
+    int light_count;
+    const prt_point_light *lights;
+} prt__vo_batch;
+
+/* Number k of the occluders of points from ... from+count-1, one to a lane. */
+PRT__INLINE void prt__vo_lanes_fetch(const prt__vo_batch *b, int from, int count, int k, prt__vo_seen_lanes *o) {
+    const prt_real *rows[PRT__LANES];
+    prt__vec fields[PRT__VO_FIELDS];
+    int lane;
+    for (lane = 0; lane < PRT__LANES; lane++) {
+        const prt_vo_occluder *one = &prt__vo_none;
+        if (lane < count && k < b->first[from + lane + 1] - b->first[from + lane])
+            one = b->occluders + b->first[from + lane] + k;
+        rows[lane] = &one->position.x;
+    }
+    prt__lanes_load(rows, PRT__VO_FIELDS, fields);
+    memcpy(o, fields, sizeof fields);
+}
+
+PRT__INLINE void prt__vo_lanes_begin(const prt__vo_batch *b, int from, int count, prt__vo_lanes *p) {
+    const prt_real *rows[PRT__LANES];
+    prt__vec fields[PRT__VO_POINT_FIELDS], eye[3];
+    int lane, c;
+    for (lane = 0; lane < PRT__LANES; lane++)
+        rows[lane] = lane < count ? &b->points[from + lane].position.x : &prt__vo_nowhere.position.x;
+    prt__lanes_load(rows, PRT__VO_POINT_FIELDS, fields);
+    memcpy(p, fields, sizeof fields);
+    prt__vo_lanes_halve(p->position);
+    p->shininess = prt__vec_above0(p->shininess);
+    p->squares = prt__vec_set(0);
+    prt__vo_lanes_towards(p->position, b->eye, eye);
+    prt__vec_unit(eye, &p->squares);
+    for (c = 0; c < 3; c++) { eye[c] = prt__vec_set(0) - eye[c]; p->sum[c] = p->emissive[c]; }
+    prt__vec_reflect(eye, p->normal, p->mirror);
+}
+
+/* Points from ... from+count-1, count at most PRT__LANES. What is not finite in the end, or came near overflow, is done
+   again by the code that cannot overflow. */
+PRT__STATIC void prt__vo_shade_lanes(const prt__vo_batch *b, int from, int count, prt_rgb *out) {
+    prt__vo_light_lanes direct[PRT__VO_LIGHTS];
+    prt__vo_seen_lanes o;
+    prt__vo_lanes p;
+    prt_real sum[3][PRT__LANES], squares[PRT__LANES];
+    int j, k, c, at, most = 0;
+    for (k = from; k < from + count; k++) if (b->first[k + 1] - b->first[k] > most) most = b->first[k + 1] - b->first[k];
+    prt__vo_lanes_begin(b, from, count, &p);
+    for (at = 0; at < b->light_count; at += PRT__VO_LIGHTS) {
+        int lights = b->light_count - at < PRT__VO_LIGHTS ? b->light_count - at : (int)PRT__VO_LIGHTS;
+        for (j = 0; j < lights; j++) prt__vo_lanes_light(&p, &b->lights[at + j], &direct[j]);
+        for (k = 0; k < most; k++) {
+            prt__vo_lanes_fetch(b, from, count, k, &o);
+            prt__vo_lanes_occlude(b->law, &p, &o, lights, b->lights + at, direct);
+        }
+        for (j = 0; j < lights; j++) {
+            prt__vec block = prt__vec_exp2(direct[j].log_block);
+            p.sum[0] += direct[j].factor[0] * block * b->lights[at + j].color.r;
+            p.sum[1] += direct[j].factor[1] * block * b->lights[at + j].color.g;
+            p.sum[2] += direct[j].factor[2] * block * b->lights[at + j].color.b;
+        }
+    }
+    for (c = 0; c < 3; c++) prt__vec_store(sum[c], p.sum[c]);
+    prt__vec_store(squares, p.squares);
+    for (k = 0; k < count; k++) {
+        const int *first = b->first + from + k;
+        out[k].r = prt__above0(sum[0][k]); out[k].g = prt__above0(sum[1][k]); out[k].b = prt__above0(sum[2][k]);
+        if (prt__finite(sum[0][k] + sum[1][k] + sum[2][k] + squares[k])) continue;
+        out[k] = prt__vo_shade(b->law, &b->points[from + k], b->eye, first[1] - first[0],
+                               b->occluders ? b->occluders + first[0] : NULL, b->light_count, b->lights);
+    }
+}
+
 PRTDEF prt_result prt_vo_shade(const prt_vo_params *params, const prt_vo_point *point, prt_vec3 eye,
                                int occluder_count, const prt_vo_occluder *occluders,
                                int light_count, const prt_point_light *lights, prt_rgb *out) {
@@ -5843,15 +6246,17 @@ PRTDEF prt_result prt_vo_shade_n(const prt_vo_params *params, int count, const p
                                  const int *first, const prt_vo_occluder *occluders,
                                  int light_count, const prt_point_light *lights, prt_rgb *out) {
     prt__vo_law law;
+    prt__vo_batch batch;
     int k;
     if (count < 0 || light_count < 0) return PRT_ERR_COUNT;
     if (!params || (count > 0 && (!points || !first || !out)) || (light_count > 0 && !lights)) return PRT_ERR_NULL;
     for (k = 0; k < count; k++) if (first[k] < 0 || first[k + 1] < first[k]) return PRT_ERR_COUNT;
     if (count > 0 && first[count] > first[0] && !occluders) return PRT_ERR_NULL;
     law = prt__vo_law_of(params);
-    for (k = 0; k < count; k++)
-        out[k] = prt__vo_shade(&law, &points[k], eye, first[k + 1] - first[k], occluders ? occluders + first[k] : NULL,
-                               light_count, lights);
+    batch.law = &law; batch.points = points; batch.first = first; batch.occluders = occluders; batch.eye = eye;
+    batch.light_count = light_count; batch.lights = lights;
+    for (k = 0; k < count; k += PRT__LANES)
+        prt__vo_shade_lanes(&batch, k, count - k < PRT__LANES ? count - k : PRT__LANES, out + k);
     return PRT_OK;
 }
 

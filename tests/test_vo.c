@@ -100,9 +100,11 @@ static double model_block(const prt_vo_params *q, const prt_vo_point *p, const p
     u = (cap + light - apart) / (2 * least);
     u = u < 0 ? 0 : u > 1 ? 1 : u;
     *steep = s < 1 ? 6 * u * (1 - u) / least / sqrt(1 - s) : 6 * u * (1 - u) / least;
-    area = cap < light ? cap * cap / (light * light) : 1;
-    *steep /= 1 - area * u * u * (3 - 2 * u) + 1e-9;
-    return 1 - area * u * u * (3 - 2 * u);
+    area = cap < light ? cap / light : 1;
+    apart = cap < light ? cap / light : light / cap;
+    u = u * u * (3 - 2 * u) + u * (1 - u) * (.2 * (1 - 2 * u) * (1 - apart) - 1.4 * apart * u * u);
+    *steep /= 1 - area * area * u + 1e-9;
+    return 1 - area * area * u;
 }
 static double model_focus(const prt_vo_params *q, const prt_vo_occluder *o, v3 l, double *steep) {
     double s0 = sin(or_default(q->caustic_angle, pi / 180)), s = sine2(d3(o->caustic), l), f = (double)o->caustic_factor;
@@ -222,8 +224,275 @@ static void shading_is_the_model(void **state) {
         }
     }
     printf("largest error in eps of the sum of |terms|: %.1f one by one, %.1f in batches\n", worst, worst_n);
-    assert_at_most(worst, 32);
-    assert_at_most(worst_n, 32);
+    assert_at_most(worst, 64);
+    assert_at_most(worst_n, 64);
+}
+
+/* A batch of any length, from any place, at any lane and beside any neighbours gives each point the same bits. */
+static void batches_are_bit_equal(void **state) {
+    static prt_rgb all[POINTS], part[POINTS];
+    static scene s;
+    int set, from, count, k;
+    (void)state;
+    skip_if_fast_math();
+    for (set = 0; set < 6; set++) {
+        noise_scene(&s);
+        s.params.law = set % 2;
+        s.params.off = set < 3 ? 0 : PRT_VO_NO_DS | PRT_VO_NO_SS;
+        assert_int_equal(prt_vo_shade_n(&s.params, POINTS, s.points, s.eye, s.first, s.occluders, 9, s.lights, all), PRT_OK);
+        for (from = 0; from < POINTS; from += 2 + set)
+            for (count = 1; count <= 35 && from + count <= POINTS; count += 1 + from % 5) {
+                memset(part, 0, sizeof part);
+                assert_int_equal(prt_vo_shade_n(&s.params, count, s.points + from, s.eye, s.first + from, s.occluders, 9,
+                                                s.lights, part), PRT_OK);
+                assert_memory_equal(part, all + from, (size_t)count * sizeof *all);
+                for (k = count; k < POINTS; k++) assert_memory_equal(part + k, part + POINTS - 1, sizeof *part);
+            }
+    }
+}
+
+/* One opaque occluder over the point of a white diffuse floor, nothing sent: out is the factor times N.l. */
+static double shadow(prt_vo_params *q, double f, prt_vec3 occlusion, prt_vec3 light, int batch) {
+    static const int first[] = { 0, 1 };
+    prt_vo_point p;
+    prt_vo_occluder o;
+    prt_point_light l;
+    prt_rgb out;
+    memset(&p, 0, sizeof p);
+    memset(&o, 0, sizeof o);
+    p.normal = vec3(0, 0, 1); p.diffuse = rgb(1, 1, 1);
+    o.position = vec3(0, 0, 1); o.occlusion = occlusion; o.form_factor = (prt_real)f;
+    l.position = light; l.color = rgb(1, 1, 1);
+    assert_int_equal(batch ? prt_vo_shade_n(q, 1, &p, vec3(0, 5, 5), first, &o, 1, &l, &out)
+                           : prt_vo_shade(q, &p, vec3(0, 5, 5), 1, &o, 1, &l, &out), PRT_OK);
+    assert_memory_equal(&out.r, &out.g, sizeof out.r);
+    return (double)out.r;
+}
+
+/* sin(45 degrees)^(2 N F) at F = 1/4: .84 at N = 1, a half at N = 4; the thesis' text to figure 7.7 gives a half to 5.5,
+   where the formula gives .386. */
+static void the_sine_law(void **state) {
+    prt_vo_params q;
+    int batch;
+    (void)state;
+    memset(&q, 0, sizeof q);
+    for (batch = 0; batch < 2; batch++) {
+        q.shadow_strength = 1;
+        assert_near(shadow(&q, .25, vec3(1, 0, 0), vec3(3, 0, 3), batch), sqrt(.5) * pow(.5, .25), 4 * PRT__EPS);
+        q.shadow_strength = 4;
+        assert_near(shadow(&q, .25, vec3(1, 0, 0), vec3(3, 0, 3), batch), sqrt(.5) * .5, 4 * PRT__EPS);
+        q.shadow_strength = (prt_real)5.5;
+        assert_near(shadow(&q, .25, vec3(1, 0, 0), vec3(3, 0, 3), batch), sqrt(.5) * pow(.5, 1.375), 4 * PRT__EPS);
+        assert_near(pow(.5, 1.375), .386, 5e-4);
+        assert_near(shadow(&q, .25, vec3(0, 0, 1), vec3(0, 0, 3), batch), 0, 0);            /* on the axis: all */
+        assert_near(shadow(&q, 1e-6, vec3(0, 0, 1), vec3(0, 0, 3), batch), 0, 0);           /* ... however small */
+        assert_near(shadow(&q, .25, vec3(-1, 0, 0), vec3(3, 0, 3), batch), sqrt(.5), 4 * PRT__EPS);  /* behind: nothing */
+        assert_near(shadow(&q, 0, vec3(0, 0, 1), vec3(0, 0, 3), batch), 1, 4 * PRT__EPS);   /* F of 0, and below */
+        assert_near(shadow(&q, -1, vec3(0, 0, 1), vec3(0, 0, 3), batch), 1, 4 * PRT__EPS);
+        assert_near(shadow(&q, 1, vec3(0, 0, 0), vec3(0, 0, 3), batch), 1, 4 * PRT__EPS);   /* no direction */
+        assert_near(shadow(&q, 7, vec3(1, 0, 0), vec3(3, 0, 3), batch), sqrt(.5) * pow(.5, 38.5), 4 * PRT__EPS);
+        assert_near(shadow(&q, .25, vec3(1, 0, 0), vec3(0, 0, 0), batch), 0, 0);            /* the light on the point */
+        assert_near(shadow(&q, .25, vec3(40, 0, 0), vec3(3, 0, 3), batch), sqrt(.5) * pow(.5, 1.375), 4 * PRT__EPS);
+    }
+}
+
+/* Caps against the share of a disc behind a disc, the area of their lens. */
+static double disc_behind_disc(double light, double cap, double apart) {
+    double x, y;
+    if (apart >= light + cap) return 0;
+    if (apart <= fabs(light - cap)) return cap < light ? cap * cap / (light * light) : 1;
+    x = (apart * apart + light * light - cap * cap) / (2 * apart * light);
+    y = (apart * apart + cap * cap - light * light) / (2 * apart * cap);
+    return (light * light * (acos(x) - x * sqrt(1 - x * x)) + cap * cap * (acos(y) - y * sqrt(1 - y * y))) /
+           (pi * light * light);
+}
+static void the_cap_law(void **state) {
+    static const double caps[] = { .02, .1, .3, .9 }, lights[] = { .02, .1, .4 };
+    double worst = 0;
+    int i, j, k, batch;
+    prt_vo_params q;
+    (void)state;
+    memset(&q, 0, sizeof q);
+    q.law = PRT_VO_CAP;
+    for (i = 0; i < 4; i++)
+        for (j = 0; j < 3; j++) {
+            q.light_angle = (prt_real)lights[j];
+            for (k = 0; k <= 40; k++)
+                for (batch = 0; batch < 2; batch++) {
+                    double t = 1.5 * k / 40 * (caps[i] + lights[j]), reach = 2 * sin(t / 2);
+                    double a = 2 * sin(caps[i] / 2), b = 2 * sin(lights[j] / 2), share = disc_behind_disc(b, a, reach), got;
+                    if (t > 1.5) continue;
+                    got = shadow(&q, sin(caps[i]) * sin(caps[i]), vec3(0, 0, 1), vec3(9 * sin(t), 0, 9 * cos(t)), batch);
+                    got = 1 - got / cos(t);
+                    if (!(fabs(got - share) <= worst)) worst = fabs(got - share);
+                    if (t < .98 * fabs(caps[i] - lights[j])) assert_near(got, share, .01);       /* wholly inside */
+                    if (reach > a + b) assert_near(got, 0, 1e-4);                             /* wholly outside */
+                }
+        }
+    printf("share of a light behind a cap: within %.3f of the discs' area\n", worst);
+    assert_at_most(worst, .0235);
+    q.light_angle = 0;
+    assert_near(shadow(&q, 1, vec3(0, 0, 1), vec3(0, 0, 2), 0), 0, 0);                         /* F of 1 and above */
+    assert_near(shadow(&q, 3, vec3(0, 0, 1), vec3(0, 0, 2), 1), 0, 0);
+    assert_near(shadow(&q, 0, vec3(0, 0, 1), vec3(0, 0, 2), 1), 1, 4 * PRT__EPS);
+    assert_near(shadow(&q, .5, vec3(0, 0, 0), vec3(0, 0, 2), 1), 1, 4 * PRT__EPS);
+}
+
+/* On a caustic's axis the factor is (sin^2 c0)^(-N F), its largest value; outside c0 it is the thesis' formula. */
+static void caustics_are_bounded(void **state) {
+    static const int first[] = { 0, 1 };
+    int batch, k;
+    (void)state;
+    for (batch = 0; batch < 2; batch++) {
+        double before = 1e30;
+        for (k = 0; k <= 900; k++) {
+            double angle = k * pi / 1800, s0 = sin(pi / 180), s = sin(angle) > s0 ? sin(angle) : s0, want, got;
+            prt_vo_params q;
+            prt_vo_point p;
+            prt_vo_occluder o;
+            prt_point_light l;
+            prt_rgb out;
+            memset(&q, 0, sizeof q);
+            memset(&p, 0, sizeof p);
+            memset(&o, 0, sizeof o);
+            p.normal = vec3(1, 0, 1); p.diffuse = rgb(1, 1, 1);
+            o.caustic = vec3(0, 0, 1); o.caustic_factor = (prt_real).5; o.transmissive = rgb(1, .5, 0);
+            o.occlusion = vec3(0, 0, 1); o.form_factor = (prt_real).5;
+            l.position = vec3(7 * sin(angle), 0, 7 * cos(angle)); l.color = rgb(1, 1, 1);
+            assert_int_equal(batch ? prt_vo_shade_n(&q, 1, &p, vec3(1, 1, 1), first, &o, 1, &l, &out)
+                                   : prt_vo_shade(&q, &p, vec3(1, 1, 1), 1, &o, 1, &l, &out), PRT_OK);
+            want = (sin(angle) + cos(angle)) * pow(s, -.5);
+            got = (double)out.r;
+            assert_near(got, want, want * 64 * PRT__EPS);
+            assert_near(out.b, (sin(angle) + cos(angle)) * pow(sin(angle), 1.5), 16 * PRT__EPS);
+            assert_near(out.g, ((double)out.r + (double)out.b) / 2, 8 * want * PRT__EPS);
+            assert_at_most(got / (sin(angle) + cos(angle)), before * (1 + 64 * PRT__EPS));
+            before = got / (sin(angle) + cos(angle));
+        }
+    }
+}
+
+/* Sweeps of light and eye through everything: between two steps of 1e-4 nothing jumps by more than a slope allows. */
+static void nothing_jumps(void **state) {
+    enum { STEPS = 2000 };
+    static const int counts[] = { 0, OCCLUDERS };
+    static scene s;
+    int set, k, c, law, batch;
+    (void)state;
+    for (set = 0; set < 12; set++)
+        for (law = 0; law < 2; law++) {
+            prt_vec3 a, b;
+            v3 before = { { 0, 0, 0 } };
+            noise_scene(&s);
+            s.params.law = law;
+            s.params.light_angle = (prt_real).3;
+            s.params.caustic_angle = (prt_real).1;
+            batch = set % 2;
+            for (k = 0; k < OCCLUDERS; k++) {                  /* strong enough to matter, wide enough to have slopes */
+                s.occluders[k].form_factor = (prt_real)(.7 + .1 * k);
+                s.occluders[k].position.z = (prt_real)(3 + k);
+                s.points[0].position.z = 0;
+            }
+            a = noise_place(6); b = noise_place(6);
+            a.z = b.z = (prt_real)-2;
+            b.z = 2;
+            if (set < 3) { a = scaled(s.occluders[0].occlusion, 4); b = scaled(a, -.5); b.x += (prt_real).1; }
+            for (k = 0; k <= STEPS; k++) {
+                double t = (double)k / STEPS;
+                prt_vec3 at = vec3((double)a.x * (1 - t) + (double)b.x * t, (double)a.y * (1 - t) + (double)b.y * t,
+                                   (double)a.z * (1 - t) + (double)b.z * t);
+                prt_rgb out;
+                v3 now;
+                if (set % 3 == 2) s.eye = at; else s.lights[0].position = at;
+                assert_int_equal(batch ? prt_vo_shade_n(&s.params, 1, s.points, s.eye, counts, s.occluders, 3, s.lights, &out)
+                                       : prt_vo_shade(&s.params, s.points, s.eye, OCCLUDERS, s.occluders, 3, s.lights, &out),
+                                 PRT_OK);
+                now = c3(out);
+                for (c = 0; c < 3; c++) {
+                    double floor = sqrt(dot3(minus(d3(at), d3(s.points[0].position)), minus(d3(at), d3(s.points[0].position))));
+                    assert_at_most(now.c[c], 1e6);
+                    if (k > 0) assert_at_most(fabs(now.c[c] - before.c[c]), (.04 + .04 / floor) * (1 + now.c[c]));
+                }
+                before = now;
+            }
+        }
+}
+
+/* Finite whatever is finite: huge and tiny places, colours, normals, exponents and factors. */
+static void finite_in_finite_out(void **state) {
+    static prt_rgb out[POINTS], one;
+    static scene s;
+    int set, k, i;
+    (void)state;
+    skip_if_fast_math();
+    for (set = 0; set < 40; set++) {
+        prt_real *numbers[3];
+        int counts[3];
+        noise_scene(&s);
+        s.params.law = set % 2;
+        numbers[0] = &s.points[0].position.x; counts[0] = POINTS * 16;
+        numbers[1] = &s.occluders[0].position.x; counts[1] = POINTS * OCCLUDERS * 26;
+        numbers[2] = &s.lights[0].position.x; counts[2] = LIGHTS * 6;
+        for (i = 0; i < 3; i++)
+            for (k = 0; k < counts[i]; k++) {
+                double what = noise();
+                if (noise() < .9) continue;
+                numbers[i][k] = (prt_real)(what < .25 ? 0 : what < .5 ? (double)PRT__REAL_MAX : what < .7 ? -(double)PRT__REAL_MAX
+                                           : what < .8 ? (double)PRT__REAL_MIN : what < .9 ? 1e-20 : 1e18);
+            }
+        if (set % 3 == 0) s.params.gloss = PRT__REAL_MAX;
+        if (set % 3 == 1) s.params.caustic_strength = PRT__REAL_MAX;
+        if (set % 5 == 0) s.params.shadow_strength = -PRT__REAL_MAX;
+        if (set % 7 == 0) s.params.dd = -PRT__REAL_MAX;
+        assert_int_equal(prt_vo_shade_n(&s.params, POINTS, s.points, s.eye, s.first, s.occluders, 9, s.lights, out), PRT_OK);
+        for (k = 0; k < POINTS; k++) {
+            assert_int_equal(prt_vo_shade(&s.params, &s.points[k], s.eye, s.first[k + 1] - s.first[k],
+                                          s.occluders + s.first[k], 9, s.lights, &one), PRT_OK);
+            for (i = 0; i < 3; i++) {
+                assert_at_most(c3(one).c[i], PRT__REAL_MAX);
+                assert_at_most(c3(out[k]).c[i], PRT__REAL_MAX);
+                assert_true(c3(one).c[i] >= 0 && c3(out[k]).c[i] >= 0);
+            }
+        }
+    }
+}
+
+/* NaN anywhere neither stops nor crashes it, and stays with its point. */
+static void nan_stays_at_home(void **state) {
+    static prt_rgb all[POINTS], out[POINTS];
+    static scene s;
+    int k;
+    (void)state;
+    skip_if_fast_math();
+    noise_scene(&s);
+    assert_int_equal(prt_vo_shade_n(&s.params, POINTS, s.points, s.eye, s.first, s.occluders, 9, s.lights, all), PRT_OK);
+    for (k = 0; k < 16; k++) (&s.points[k].position.x)[k] = (prt_real)NAN;
+    for (k = 0; k < 26 && k < s.first[16]; k++) (&s.occluders[k].position.x)[k] = (prt_real)NAN;
+    assert_int_equal(prt_vo_shade_n(&s.params, POINTS, s.points, s.eye, s.first, s.occluders, 9, s.lights, out), PRT_OK);
+    assert_memory_equal(out + 16, all + 16, (POINTS - 16) * sizeof *all);
+}
+
+/* A negative weight of DD drains colour: never below black. */
+static void drained_colour_ends_at_black(void **state) {
+    static scene s;
+    prt_rgb plain, drained, black;
+    double lowest = 1;
+    int k;
+    (void)state;
+    for (k = 0; k < POINTS; k++) {
+        if (k == 0) noise_scene(&s);
+        memset(&s.points[k].emissive, 0, sizeof s.points[k].emissive);
+        s.params.dd = 0;
+        prt_vo_shade(&s.params, &s.points[k], s.eye, OCCLUDERS, s.occluders, LIGHTS, s.lights, &plain);
+        s.params.dd = (prt_real)-.2;
+        prt_vo_shade(&s.params, &s.points[k], s.eye, OCCLUDERS, s.occluders, LIGHTS, s.lights, &drained);
+        s.params.dd = -1000;
+        prt_vo_shade(&s.params, &s.points[k], s.eye, OCCLUDERS, s.occluders, LIGHTS, s.lights, &black);
+        assert_at_most(drained.r, plain.r);
+        assert_true(black.r >= 0 && black.g >= 0 && black.b >= 0);
+        if ((double)black.r < lowest) lowest = (double)black.r;
+    }
+    assert_near(lowest, 0, 0);
 }
 
 static void bad_arguments(void **state) {
@@ -262,6 +531,14 @@ static void bad_arguments(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(shading_is_the_model),
+        cmocka_unit_test(batches_are_bit_equal),
+        cmocka_unit_test(the_sine_law),
+        cmocka_unit_test(the_cap_law),
+        cmocka_unit_test(caustics_are_bounded),
+        cmocka_unit_test(nothing_jumps),
+        cmocka_unit_test(finite_in_finite_out),
+        cmocka_unit_test(nan_stays_at_home),
+        cmocka_unit_test(drained_colour_ends_at_black),
         cmocka_unit_test(bad_arguments),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
