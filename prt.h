@@ -1005,7 +1005,11 @@ PRT__INLINE prt__vec prt__vec_select(prt__chosen m, prt__vec a, prt__vec b) {
     return (prt__vec)(((prt__chosen)a & m) | ((prt__chosen)b & ~m));
 }
 #else
-typedef int prt__chosen;
+#  ifdef PRT_DOUBLE
+typedef int64_t prt__chosen;
+#  else
+typedef int32_t prt__chosen;
+#  endif
 PRT__INLINE prt__vec prt__vec_select(prt__chosen m, prt__vec a, prt__vec b) { return m ? a : b; }
 #endif
 #define PRT__SELECT(m, a, b) prt__vec_select((prt__chosen)(m), a, b)
@@ -5836,34 +5840,27 @@ PRT__STATIC prt_rgb prt__vo_shade(const prt__vo_law *law, const prt_vo_point *p,
 
 /* ---- the same for PRT__LANES points at once ---- */
 
-/* The bits of a prt__vec, for masks and exponents: signed, since a comparison gives -1 or 0 in each lane and exponents have a
-   sign; unsigned for sums, which may wrap where the value makes no sense. */
+/* The bits of a prt__vec: as prt__chosen for masks, where a comparison gives -1 or 0 in each lane; unsigned for exponents,
+   sums of which may wrap where the value makes no sense. */
 #if PRT__SIMD
 #  ifdef PRT_DOUBLE
-typedef int64_t prt__bits __attribute__((vector_size(PRT__VEC_BYTES)));
-typedef uint64_t prt__ubits __attribute__((vector_size(PRT__VEC_BYTES)));
+typedef uint64_t prt__bits __attribute__((vector_size(PRT__VEC_BYTES)));
 #  else
-typedef int32_t prt__bits __attribute__((vector_size(PRT__VEC_BYTES)));
-typedef uint32_t prt__ubits __attribute__((vector_size(PRT__VEC_BYTES)));
+typedef uint32_t prt__bits __attribute__((vector_size(PRT__VEC_BYTES)));
 #  endif
-PRT__INLINE prt__bits prt__vec_less(prt__vec a, prt__vec b) { return (prt__bits)(a < b); }
+PRT__INLINE prt__chosen prt__vec_less(prt__vec a, prt__vec b) { return (prt__chosen)(a < b); }
 #else
 #  ifdef PRT_DOUBLE
-typedef int64_t prt__bits;
-typedef uint64_t prt__ubits;
+typedef uint64_t prt__bits;
 #  else
-typedef int32_t prt__bits;
-typedef uint32_t prt__ubits;
+typedef uint32_t prt__bits;
 #  endif
-PRT__INLINE prt__bits prt__vec_less(prt__vec a, prt__vec b) { return -(prt__bits)(a < b); }
+PRT__INLINE prt__chosen prt__vec_less(prt__vec a, prt__vec b) { return -(prt__chosen)(a < b); }
 #endif
 PRT__INLINE prt__bits prt__vec_bits(prt__vec v) { prt__bits b; memcpy(&b, &v, sizeof b); return b; }
-PRT__INLINE prt__ubits prt__vec_ubits(prt__vec v) { prt__ubits b; memcpy(&b, &v, sizeof b); return b; }
-PRT__INLINE prt__vec prt__vec_of_ubits(prt__ubits b) { prt__vec v; memcpy(&v, &b, sizeof v); return v; }
 PRT__INLINE prt__vec prt__vec_of_bits(prt__bits b) { prt__vec v; memcpy(&v, &b, sizeof v); return v; }
-PRT__INLINE prt__vec prt__vec_masked(prt__bits mask, prt__vec v) { return prt__vec_of_bits(mask & prt__vec_bits(v)); }
-PRT__INLINE prt__vec prt__vec_select(prt__bits mask, prt__vec a, prt__vec b) {
-    return prt__vec_of_bits((mask & prt__vec_bits(a)) | (~mask & prt__vec_bits(b)));
+PRT__INLINE prt__vec prt__vec_masked(prt__chosen mask, prt__vec v) {
+    return prt__vec_of_bits((prt__bits)mask & prt__vec_bits(v));
 }
 PRT__INLINE prt__vec prt__vec_above0(prt__vec v) { return prt__vec_masked(prt__vec_less(prt__vec_set(0), v), v); }
 
@@ -5894,14 +5891,14 @@ enum { PRT__ROOT_STEPS = 3, PRT__LOG_TERMS = 5, PRT__EXP_TERMS = 7 };
 
 /* A small whole number as a prt_real where mask is all ones, else 0. With -ffast-math sums may be taken in another order; the
    mask keeps this difference from being torn apart. */
-PRT__INLINE prt__vec prt__vec_of_whole(prt__ubits n, prt__bits mask) {
-    return prt__vec_masked(mask, prt__vec_of_ubits(n + PRT__WHOLE_BITS) - PRT__R(PRT__WHOLE));
+PRT__INLINE prt__vec prt__vec_of_whole(prt__bits n, prt__chosen mask) {
+    return prt__vec_masked(mask, prt__vec_of_bits(n + PRT__WHOLE_BITS) - PRT__R(PRT__WHOLE));
 }
 
 /* 1/sqrt(v) by Newton's method, 2 ulp: cheaper than a root and a division, and plain arithmetic. 0 where v is so small that
    the square of that would overflow, so that v/|v| is 0 for vectors without length. */
 PRT__INLINE prt__vec prt__vec_inverse_root(prt__vec v) {
-    prt__vec half = v * PRT__R(-0.5), y = prt__vec_of_ubits(PRT__ROOT_GUESS - (prt__vec_ubits(v) >> 1));
+    prt__vec half = v * PRT__R(-0.5), y = prt__vec_of_bits(PRT__ROOT_GUESS - (prt__vec_bits(v) >> 1));
     int k;
     for (k = 0; k < PRT__ROOT_STEPS; k++) y *= half * (y * y) + PRT__R(1.5);
     return prt__vec_masked(prt__vec_less(prt__vec_set(PRT__REAL_MIN * 16), v), y);
@@ -5910,9 +5907,9 @@ PRT__INLINE prt__vec prt__vec_inverse_root(prt__vec v) {
 /* log2 of v > 0: v = 2^e m with m in [sqrt(1/2), sqrt(2)), f = (m-1)/(m+1), log m = 2 (f + f^3/3 + f^5/5 + ...).
    Of 0 a number that makes any power but the 0th vanish. */
 PRT__INLINE prt__vec prt__vec_log2(prt__vec v) {
-    prt__ubits bits = prt__vec_ubits(v), e = (prt__ubits)((prt__bits)(bits - PRT__ROOT_HALF) >> PRT__FRACTION);
-    prt__vec m = prt__vec_of_ubits(bits - (e << PRT__FRACTION)), f = (m - PRT__R(1)) / (m + PRT__R(1)), z = f * f, sum;
-    prt__bits positive = prt__vec_less(prt__vec_set(0), v);
+    prt__bits bits = prt__vec_bits(v), e = (prt__bits)((prt__chosen)(bits - PRT__ROOT_HALF) >> PRT__FRACTION);
+    prt__vec m = prt__vec_of_bits(bits - (e << PRT__FRACTION)), f = (m - PRT__R(1)) / (m + PRT__R(1)), z = f * f, sum;
+    prt__chosen positive = prt__vec_less(prt__vec_set(0), v);
     int k;
     sum = prt__vec_set(PRT__R(2.88539008177792681472 / (2 * PRT__LOG_TERMS - 1)));         /* 2/ln 2 over 1, 3, 5 ... */
     for (k = PRT__LOG_TERMS - 1; k > 0; k--) sum = sum * z + PRT__R(2.88539008177792681472 / (2 * k - 1));
@@ -5929,16 +5926,16 @@ PRT__INLINE prt__vec prt__vec_exp2(prt__vec t) {
         PRT__R(7.05491162080112332988e-9), PRT__R(4.44553827187081149760e-10), PRT__R(2.56784359934882051420e-11),
         PRT__R(1.36914888539041288809e-12)
     };
-    prt__bits counts = prt__vec_less(prt__vec_set(PRT__R(PRT__LEAST_POWER)), t);
-    prt__ubits n;
+    prt__chosen counts = prt__vec_less(prt__vec_set(PRT__R(PRT__LEAST_POWER)), t);
+    prt__bits n;
     prt__vec sum = prt__vec_set(series[PRT__EXP_TERMS]), rest;
     int k;
     t = prt__vec_select(counts, t, prt__vec_set(0));
     t = prt__vec_select(prt__vec_less(t, prt__vec_set(PRT__R(PRT__MOST_POWER))), t, prt__vec_set(PRT__R(PRT__MOST_POWER)));
-    n = prt__vec_ubits(t + PRT__R(PRT__ROUNDER)) - PRT__ROUNDER_BITS;
+    n = prt__vec_bits(t + PRT__R(PRT__ROUNDER)) - PRT__ROUNDER_BITS;
     rest = t - prt__vec_of_whole(n, counts);
     for (k = PRT__EXP_TERMS - 1; k >= 0; k--) sum = sum * rest + series[k];
-    return prt__vec_masked(counts, prt__vec_of_ubits(prt__vec_ubits(sum) + (n << PRT__FRACTION)));
+    return prt__vec_masked(counts, prt__vec_of_bits(prt__vec_bits(sum) + (n << PRT__FRACTION)));
 }
 
 PRT__INLINE prt__vec prt__vec_dot3(const prt__vec *a, const prt__vec *b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -6014,17 +6011,15 @@ PRT__INLINE prt__vec prt__vo_lanes_gloss(const prt__vo_law *law, prt__vec x) {
     }
 }
 
-PRT__INLINE prt__vec prt__vo_lanes_root(prt__vec v) { return v * prt__vec_inverse_root(v); }
-
 /* As prt__cap_chord and prt__vo_cap_open. */
 PRT__INLINE prt__vec prt__vo_lanes_cap_chord(prt__vec f, prt__vec cosine) {
     prt__vec one = prt__vec_set(1), sin2 = prt__vec_select(prt__vec_less(f, cosine), f / cosine, one);
     return prt__vec_masked(prt__vec_less(prt__vec_set(0), f),
-                           prt__vo_lanes_root(PRT__R(2) * sin2 / (prt__vo_lanes_root(one - sin2) + PRT__R(1))));
+                           prt__vec_root(PRT__R(2) * sin2 / (prt__vec_root(one - sin2) + PRT__R(1))));
 }
 PRT__INLINE prt__vec prt__vo_lanes_cap_open(prt__vec cap, prt_real light, prt__vec apart) {
     prt__vec zero = prt__vec_set(0), one = prt__vec_set(1), disc = prt__vec_set(light);
-    prt__bits inside = prt__vec_less(cap, disc);
+    prt__chosen inside = prt__vec_less(cap, disc);
     prt__vec least = prt__vec_select(inside, cap, disc), most = prt__vec_select(inside, disc, cap), share, u;
     u = prt__vec_above0((cap + disc - apart) / (least + least));
     u = prt__vec_select(prt__vec_less(u, one), u, one);
@@ -6057,7 +6052,7 @@ PRT__INLINE void prt__vo_lanes_see(const prt__vo_law *law, prt__vo_lanes *p, prt
     }
     if ((law->off & PRT_VO_NO_DS) && (law->off & PRT_VO_NO_SS)) return;
     prt__vec_unit(v, &p->squares);
-    specular = prt__vo_lanes_root(prt__vec_unit(n, &p->squares));
+    specular = prt__vec_root(prt__vec_unit(n, &p->squares));
     prt__vec_reflect(v, n, o->specular_normal);
     prt__vec_reflect(p->mirror, n, ss_dir);
     lined_up = prt__vec_masked(prt__vec_less(zero, prt__vec_dot3(p->normal, v)),
@@ -6105,7 +6100,7 @@ PRT__INLINE int prt__vo_lanes_any(const prt__vec *v) {
 PRT__INLINE void prt__vo_lanes_occlude(const prt__vo_law *law, prt__vo_lanes *p, prt__vo_seen_lanes *o, int light_count,
                                        const prt_point_light *lights, prt__vo_light_lanes *direct) {
     prt__vec zero = prt__vec_set(0), one = prt__vec_set(1), ss[3], ss_dir[3] = { zero, zero, zero }, cap = one, least = prt__vec_set(law->least);
-    prt__bits clear[3], translucent;
+    prt__chosen clear[3], translucent;
     int j, c, any = prt__vo_lanes_any(o->transmissive);
     prt__vo_lanes_see(law, p, o, ss, ss_dir, &cap);
     for (c = 0; c < 3; c++)
@@ -6117,7 +6112,7 @@ PRT__INLINE void prt__vo_lanes_occlude(const prt__vo_law *law, prt__vo_lanes *p,
         if (law->off & PRT_VO_NO_SHADOW) {
             block = one;
         } else if (law->cap) {
-            block = prt__vo_lanes_cap_open(cap, law->light_chord, prt__vo_lanes_root(prt__vo_lanes_chord2(o->occlusion, d->l)));
+            block = prt__vo_lanes_cap_open(cap, law->light_chord, prt__vec_root(prt__vo_lanes_chord2(o->occlusion, d->l)));
         } else {
             prt__vec log_block = o->form_factor * prt__vec_log2(prt__vo_lanes_sin2(o->occlusion, d->l));
             d->log_block += prt__vec_masked(~translucent, log_block);
