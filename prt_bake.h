@@ -1199,8 +1199,9 @@ PRT__STATIC void prt__clip_cross(prt__clip *c, const double p[3], int upwards) {
     c->azimuth += upwards ? azimuth : -azimuth;
 }
 
-PRT__STATIC void prt__clip_great_arc(prt__clip *c, const double a[3], const double b[3]) {
-    double fa = prt__ddot(c->n, a), fb = prt__ddot(c->n, b), p[3], at[3];
+/* Heights fa and fb of the ends are given, so that edges that meet in a corner agree on which side it lies. */
+PRT__STATIC void prt__clip_great_arc(prt__clip *c, const double a[3], double fa, const double b[3], double fb) {
+    double p[3], at[3];
     int k;
     if ((fa > 0) == (fb > 0)) {
         if (fa > 0) prt__add_great_arc(a, b, c->sum);
@@ -1229,12 +1230,11 @@ PRT__STATIC int prt__latitude_roots(double p, double q, double r, double from, d
     return count;
 }
 
-PRT__STATIC void prt__clip_latitude_arc(prt__clip *c, double theta, double from, double to) {
-    double s = sin(theta), p = s * c->n[0], q = s * c->n[1], r = cos(theta) * c->n[2], at = from, d[3];
-    double f0 = p * cos(from) + q * sin(from) + r, f1 = p * cos(to) + q * sin(to) + r, root[2];
-    int above = f0 > 0, differ = above != (f1 > 0), count = prt__latitude_roots(p, q, r, from, to, root), k;
-    if (differ && count == 0) { root[0] = fabs(f0) < fabs(f1) ? from : to; count = 1; }     /* lost by rounding */
-    if (differ && count == 2 && fabs(f0) < fabs(f1)) root[0] = root[1];
+PRT__STATIC void prt__clip_latitude_arc(prt__clip *c, double theta, double from, double fa, double to, double fb) {
+    double s = sin(theta), p = s * c->n[0], q = s * c->n[1], r = cos(theta) * c->n[2], at = from, d[3], root[2];
+    int above = fa > 0, differ = above != (fb > 0), count = prt__latitude_roots(p, q, r, from, to, root), k;
+    if (differ && count == 0) root[0] = fabs(fa) < fabs(fb) ? from : to;                    /* lost by rounding */
+    if (differ && count == 2 && fabs(fa) < fabs(fb)) root[0] = root[1];
     if (!differ && count == 1) count = 0;
     for (k = 0; k < (differ ? 1 : count); k++) {
         if (above) prt__add_latitude_arc(theta, at, root[k], c->sum);
@@ -1248,17 +1248,20 @@ PRT__STATIC void prt__clip_latitude_arc(prt__clip *c, double theta, double from,
 
 /* int max(0, n.w) dw over a cell whose centre is given. */
 PRT__STATIC double prt__cell_above(const prt__cell *cell, const double n[3], const double centre[3]) {
-    double vector[3], sign = prt__cell_vector(cell, vector), along = prt__ddot(n, centre), flat[3];
+    double vector[3], sign = prt__cell_vector(cell, vector), along = prt__ddot(n, centre), flat[3], height[4];
     prt__clip c;
     int k;
+    for (k = 0; k < 4; k++) height[k] = prt__ddot(n, cell->corner[k]);
     memset(&c, 0, sizeof c);
     c.n = n;
     for (k = 0; k < 3; k++) flat[k] = centre[k] - along * n[k];
     if (!prt__normalise(flat, c.zero)) return along > 0 ? prt__ddot(n, vector) : 0;
     for (k = 0; k < 3; k++) c.side[k] = n[(k + 1) % 3] * c.zero[(k + 2) % 3] - n[(k + 2) % 3] * c.zero[(k + 1) % 3];
     for (k = 0; k < 4; k++) {
-        if (cell->latitude && k % 2) prt__clip_latitude_arc(&c, cell->theta[k], cell->phi[k], cell->phi[(k + 1) % 4]);
-        else prt__clip_great_arc(&c, cell->corner[k], cell->corner[(k + 1) % 4]);
+        int next = (k + 1) % 4;
+        if (cell->latitude && k % 2)
+            prt__clip_latitude_arc(&c, cell->theta[k], cell->phi[k], height[k], cell->phi[next], height[next]);
+        else prt__clip_great_arc(&c, cell->corner[k], height[k], cell->corner[next], height[next]);
     }
     return sign * (prt__ddot(n, c.sum) + c.azimuth / 2);
 }
@@ -1734,7 +1737,7 @@ PRT__STATIC prt_result prt__fiv_inside_range(const prt_fiv_desc *desc, int first
     int asked[PRT__FIV_FEELING], at = first, done = first, count, k;
     for (k = 0; k < PRT__FIV_FEELERS; k++) {
         prt_real u, v;
-        prt_sample_square(PRT_SAMPLE_FIBONACCI, PRT__FIV_FEELERS, 0, 0, k, 1, &u, &v);
+        prt__square_member(PRT_SAMPLE_FIBONACCI, PRT__FIV_FEELERS, 0, 0, k, &u, &v);
         dirs[k] = prt_sample_sphere(u, v);
     }
     while (done < end) {
