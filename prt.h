@@ -189,8 +189,9 @@ PRTDEF const char *prt_result_string(prt_result r);
    Cost: to 10 bands straight-line code of 0 3 12 25 41 64 90 123 159 202 products (1 to 10 bands) and somewhat fewer
    additions; above, about 7 operations a coefficient, in double, and a table of roots. Stack above 10 bands: 48 bytes
    times PRT_MAX_BANDS.
-   Accuracy: absolute error beyond input rounding, float/double, below 3e-7/9e-16 at 6 bands, 2e-6/4e-15 at 10,
-   3e-7/1e-14 at 13, 3e-7/3e-14 at 32, 4e-7/2e-13 at 64 (tests/test_sh.c); to 1024 bands see docs/accuracy.md. */
+   Accuracy: absolute error at the direction as it is given, float/double, below 1.3e-6/2e-15 at 6 bands, 5e-6/8e-15 at
+   10, and, being computed in double above, 1.2e-7/1e-14 at 13, 1.5e-7/4e-14 at 32, 1.5e-7/3e-13 at 64 (tests/test_sh.c;
+   to 1024 bands see docs/accuracy.md). Rounding a direction to float changes a value by up to 2e-6 at 10 bands. */
 PRTDEF prt_result prt_sh_eval   (int bands, prt_vec3 dir, prt_real *y);
 
 /* The same for many directions: y[count][n^2]. Each row is the same bits whatever count and place it was asked in; it may
