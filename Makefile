@@ -13,6 +13,7 @@ help:
 	@echo "make gen        rewrite the generated blocks of the headers (gen-check: only compare)"
 	@echo "make fuzz       run each fuzz target for FUZZ_SECONDS=$(FUZZ_SECONDS)"
 	@echo "make docs       rewrite the tables and plots of docs/ and README.md from measurements"
+	@echo "make portability  run both headers on other kinds of machine, emulated; writes docs/portability.md"
 	@echo "make install    copy headers and CMake package to PREFIX=$(PREFIX)"
 	@echo "make clean      remove build/ and out/"
 
@@ -54,6 +55,9 @@ fuzz:
 	@./deps.sh fuzz
 	@tests/fuzz/run.sh $(BUILD)/fuzz $(FUZZ_SECONDS)
 
+portability:
+	@tests/portability/run.sh docs/portability.md
+
 install:
 	@cmake -S . -B $(BUILD)/install-only -DPRT_BUILD_TESTS=OFF -DPRT_BUILD_EXAMPLES=OFF -DPRT_BUILD_BENCH=OFF -DPRT_BUILD_CODEGEN=OFF \
 	    -DCMAKE_INSTALL_PREFIX=$(PREFIX) >/dev/null
@@ -62,4 +66,4 @@ install:
 clean:
 	rm -rf $(BUILD) out
 
-.PHONY: help test demo vo bench docs gen gen-check fuzz install clean
+.PHONY: help test demo vo bench docs gen gen-check fuzz portability install clean

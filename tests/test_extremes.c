@@ -1,5 +1,5 @@
-/* At the ends of what numbers can hold: directions beside the poles, tiny and huge radiance, a million rotations, bakes of
-   one ray and of a million, lights around the receiver, scenes of any size and place. */
+/* At the ends of what numbers can hold: directions beside the poles, tiny and huge radiance, a million rotations, bakes
+   of one ray and of a million, lights around the receiver, scenes of any size and place. */
 #define PRT_IMPLEMENTATION
 #define PRT_BAKE_IMPLEMENTATION
 #include "prt_bake.h"
@@ -38,8 +38,9 @@ static void beside_the_poles(void **state) {
                     double curved = l * (l + 1.0) * square;
                     assert_near(y[PRT_SH_INDEX(l, 0)], sign * mean, mean * (tolerance + curved));
                     if (l > 0) {
-                        assert_near(y[PRT_SH_INDEX(l, 1)], slope * (double)d.x, fabs(slope * (double)d.x) * (tolerance + curved));
-                        assert_near(y[PRT_SH_INDEX(l, -1)], slope * (double)d.y, fabs(slope * (double)d.y) * (tolerance + curved));
+                        double cosine = slope * (double)d.x, sine = slope * (double)d.y;
+                        assert_near(y[PRT_SH_INDEX(l, 1)], cosine, fabs(cosine) * (tolerance + curved));
+                        assert_near(y[PRT_SH_INDEX(l, -1)], sine, fabs(sine) * (tolerance + curved));
                     }
                     for (m = 2; m <= l; m++) {
                         double most = pow(l + 1.0, 4.5) * square;
@@ -51,7 +52,7 @@ static void beside_the_poles(void **state) {
 }
 
 /* Everything linear in radiance stays so, 1e-36 to 1e36: relative to the result at radiance 1. */
-static void tiny_and_huge_radiance(void **state) {
+static void tinsineand_huge_radiance(void **state) {
     enum { N = 6, COUNT = N * N, W = 32, H = 16 };
     static float map[3 * W * H], scaled[3 * W * H];
     static prt_real one[6][3 * COUNT], other[6][3 * COUNT], f[COUNT];
@@ -113,7 +114,7 @@ static int wall(void *user, int count, const prt_ray *rays, unsigned char *block
     for (k = 0; k < count; k++) blocked[k] = rays[k].dir.x > 0;
     return 0;
 }
-static void one_ray_and_a_million(void **state) {
+static void one_rasineand_a_million(void **state) {
     static const int rays[] = { 1, 2, 3, 1000000 };
     prt_tracer tracer = { NULL, wall, NULL };
     prt_point point;
@@ -145,13 +146,14 @@ static int ball_occluded(void *user, int count, const prt_ray *rays, unsigned ch
     const ball *b = (const ball *)user;
     int k;
     for (k = 0; k < count; k++) {
-        double ox = b->x - (double)rays[k].origin.x, oy = b->y - (double)rays[k].origin.y, oz = b->z - (double)rays[k].origin.z;
+        double ox = b->x - (double)rays[k].origin.x, oy = b->y - (double)rays[k].origin.y;
+        double oz = b->z - (double)rays[k].origin.z;
         double along = ox * (double)rays[k].dir.x + oy * (double)rays[k].dir.y + oz * (double)rays[k].dir.z;
         blocked[k] = along > 0 && ox * ox + oy * oy + oz * oz - along * along < b->radius * b->radius;
     }
     return 0;
 }
-static void scenes_of_any_size(void **state) {
+static void scenes_of_ansinesize(void **state) {
     static const double sizes[] = { 1, 9.5367431640625e-7, 1048576 };       /* 1, 2^-20, 2^20 */
     prt_real first[25], t[25];
     int k, i, away;
@@ -194,8 +196,10 @@ static void meshes_far_away(void **state) {
     for (k = 0; k < 3; k++)
         for (far = 0; far < 2; far++) {
             double shift = far ? 1000 * sizes[k] : 0, third = -1 / sqrt(3.0);
-            for (i = 0; i < 4; i++)
-                positions[i] = vec3(at[i][0] * sizes[k] + shift, at[i][1] * sizes[k] + shift, at[i][2] * sizes[k] + shift);
+            for (i = 0; i < 4; i++) {
+                const double *v = at[i], s = sizes[k];
+                positions[i] = vec3(v[0] * s + shift, v[1] * s + shift, v[2] * s + shift);
+            }
             assert_int_equal(prt_points_from_vertices(&mesh, points, NULL), PRT_OK);
             assert_near(points[0].normal.x, third, (far ? 4000 : 8) * EPS);
             assert_near(points[0].normal.y, third, (far ? 4000 : 8) * EPS);
@@ -225,10 +229,10 @@ static void lights_around_the_receiver(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(beside_the_poles),
-        cmocka_unit_test(tiny_and_huge_radiance),
+        cmocka_unit_test(tinsineand_huge_radiance),
         cmocka_unit_test(a_million_rotations),
-        cmocka_unit_test(one_ray_and_a_million),
-        cmocka_unit_test(scenes_of_any_size),
+        cmocka_unit_test(one_rasineand_a_million),
+        cmocka_unit_test(scenes_of_ansinesize),
         cmocka_unit_test(meshes_far_away),
         cmocka_unit_test(lights_around_the_receiver),
     };

@@ -260,7 +260,8 @@ static void samples(void) {
 }
 static void bake(void) {
     static const prt_real at[8][3] = { {0,0,0}, {1,0,0}, {1,1,0}, {0,1,0}, {0,0,1}, {1,0,1}, {1,1,1}, {0,1,1} };
-    static const uint32_t faces[36] = { 0,2,1, 0,3,2, 4,5,6, 4,6,7, 0,1,5, 0,5,4, 1,2,6, 1,6,5, 2,3,7, 2,7,6, 3,0,4, 3,4,7 };
+    static const uint32_t faces[36] = { 0,2,1, 0,3,2, 4,5,6, 4,6,7, 0,1,5, 0,5,4, 1,2,6, 1,6,5, 2,3,7, 2,7,6,
+                                        3,0,4, 3,4,7 };
     prt_vec3 positions[8];
     prt_point points[8];
     prt_mesh mesh;
