@@ -878,7 +878,8 @@ extern "C" {
 
 /* Vector extensions of GCC and Clang, at the width that the target flags allow, where the machine has such registers. */
 #if !defined(PRT_NO_SIMD) && defined(__GNUC__) && (defined(__SSE2__) || defined(__ARM_NEON) || \
-    defined(__VSX__) || defined(__VX__) || defined(__wasm_simd128__))
+    defined(__VSX__) || defined(__VX__) || defined(__wasm_simd128__)) && \
+    (defined(PRT_DOUBLE) || !defined(__FLT_EVAL_METHOD__) || __FLT_EVAL_METHOD__ == 0) /* a float times a vector is one */
 #  define PRT__SIMD 1
 #  if defined(__AVX512F__)
 #    define PRT__VEC_BYTES 64
