@@ -430,6 +430,7 @@ PRTDEF prt_result prt_vo_compact(int max_occluders, int point_count, const prt_v
 #if defined(PRT_BAKE_IMPLEMENTATION) && !defined(PRT_BAKE_IMPLEMENTATION_INCLUDED)
 #define PRT_BAKE_IMPLEMENTATION_INCLUDED
 
+#include "prt.h"                       /* again: its internals, where both headers were included before without any */
 #include "prt.h"                              /* once more: its private part, had it been included without any */
 #include <float.h>
 #include <limits.h>

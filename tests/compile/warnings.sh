@@ -16,6 +16,10 @@ form[twice]='#include "prt.h"
 #include "prt_bake.h"
 #include "prt.h"
 #include "prt_bake.h"'
+form[bake_twice]='#include "prt_bake.h"
+#define PRT_IMPLEMENTATION
+#define PRT_BAKE_IMPLEMENTATION
+#include "prt_bake.h"'
 form[prt]='#define PRT_IMPLEMENTATION
 #include "prt.h"'
 form[bake]='#define PRT_IMPLEMENTATION
