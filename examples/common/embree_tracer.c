@@ -118,6 +118,7 @@ int embree_tracer_create(embree_tracer *t, why *w) {
     t->device = rtcNewDevice(NULL);
     if (!t->device) return embree_failed(t, "starting", w) ? -1 : why_set(w, "Embree cannot be started");
     t->scene = rtcNewScene(device_of(t));
+    rtcSetSceneFlags(scene_of(t), RTC_SCENE_FLAG_ROBUST);  /* no ray slips through between two triangles */
     t->tracer.user = t;
     t->tracer.occluded = occluded;
     t->tracer.closest = closest;
