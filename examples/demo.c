@@ -9,12 +9,17 @@
              there. Negative radiance counts as 0, which is what the screen shows. The reference comes in two
              independent halves R0, R1; the mean of (P-R0)(P-R1) is free of their noise.
      floor   the same of a picture whose every sample has transfer of its own: visibility traced and projected at the
-             sample itself, nothing interpolated between vertices. No baker can do better with so many bands of light
-             and transfer; what the demo's picture has beyond it is the price of baking at vertices. (The bunny's
-             triangles are cut into four for that: at its own vertices alone the price is three times as high.)
+             sample itself, nothing interpolated between vertices. It is what the exact projection to so many bands of
+             the reference's visibility allows; what the demo's picture has beyond it is the price of vertices and rays.
+     above   RMSE less floor, and its standard error from the noise of reference and floor (they are compared over the
+             same rays, so that it is far smaller than the noise of either).
      noise   standard error of the reference picture itself, from the difference of its halves, in the same units.
-     time    of the processor, all cores together, so that other programs do not count. bake: once for any light;
-             frame: drawing the mesh at four samples a pixel (llvmpipe). */
+     time    of the processor, all cores together, so that other programs do not count. bake: once for any light, and
+             once for all columns, since transfer of fewer bands is the first coefficients of more; frame: drawing the
+             mesh at four samples a pixel (llvmpipe).
+
+   Points are put where transfer bends (refined_bake): the mesh that is drawn is finer than the one that is traced, but
+   the same surface. */
 #define _POSIX_C_SOURCE 200809L
 #define PRT_IMPLEMENTATION
 #define PRT_BAKE_IMPLEMENTATION
@@ -27,13 +32,13 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#include "bake_job.h"
 #include "embree_tracer.h"
 #include "image.h"
 #include "mesh.h"
 #include "osmesa_context.h"
 #include "progress.h"
 #include "reference.h"
+#include "refined_bake.h"
 #include "relighter.h"
 #include "text.h"
 
@@ -55,18 +60,20 @@ static void on_interrupt(int number) {
 
 enum { UNSHADOWED = 0, REFERENCE = SHADOWED + 1, COLUMNS = SHADOWED + 2 };
 
-typedef struct cell { picture picture; double rmse, floor, bunny_rmse, bunny_floor, seconds; } cell;
+/* Relative errors: over bunny and pedestal, and over the bunny alone. */
+typedef struct errors { double rmse, floor, uncertainty; } errors;
+typedef struct cell { picture picture; errors all, bunny; double seconds; } cell;
 
 typedef struct demo {
     const char    *mesh_path, *data, *out;
     int           rays, size, threads;
-    mesh          scene;
+    mesh          scene, fine;         /* what is traced; the same surface with the points that are baked */
     embree_tracer tracer;
     environment   environments[ENVIRONMENTS];
     reference     reference;
     camera        eye;
-    prt_real      *transfer[COLUMNS - 1];
-    double        bake_seconds[COLUMNS - 1], reference_seconds, noise[ENVIRONMENTS];
+    prt_real      *unshadowed, *shadowed;                  /* [fine.point_count][COEFFICIENTS] */
+    double        bake_seconds[2], reference_seconds, noise[ENVIRONMENTS];     /* of the bake: unshadowed, shadowed */
     cell          cells[ENVIRONMENTS][COLUMNS];
 } demo;
 
@@ -81,9 +88,8 @@ static int load_scene(demo *d, why *w) {
     if (mesh_load(d->mesh_path, MESH_Y_UP, &d->scene, w) || mesh_fit_unit_sphere(&d->scene, w)) return -1;
     for (k = 0; k < d->scene.point_count; k++)
         if (d->scene.points[k].position.z < under.z) under.z = d->scene.points[k].position.z;
-    if (mesh_subdivide(&d->scene, w)) return -1;
     d->reference.object_triangles = d->scene.triangle_count;
-    if (mesh_add_floor(&d->scene, under, (prt_real)1.25, (prt_real)0.0125, w)) return -1;
+    if (mesh_add_floor(&d->scene, under, (prt_real)1.25, (prt_real)0.025, w) || mesh_copy(&d->scene, &d->fine, w)) return -1;
     d->eye = camera_orbit(target, 4.2, -1.3, 0.3, 0.5);
     return embree_tracer_create(&d->tracer, w) || embree_tracer_add(&d->tracer, &d->scene, 0, w) ||
            embree_tracer_build(&d->tracer, w) ? -1 : 0;
@@ -99,47 +105,54 @@ static void bake_unshadowed(const mesh *m, prt_real *transfer) {
     }
 }
 
-static int bake_shadowed(const demo *d, int bands, prt_real *transfer, why *w) {
-    char what[40];
-    bake_job job;
-    prt_result result;
-    memset(&job, 0, sizeof job);
-    snprintf(what, sizeof what, "demo: bake %d bands", bands);
-    job.desc.bands = bands;
-    job.desc.samples = d->rays;
-    job.desc.bias = (prt_real)1e-4;
-    job.desc.tracer = &d->tracer.tracer;
-    job.point_count = d->scene.point_count;
-    job.points = d->scene.points;
-    job.threads = d->threads;
-    job.what = what;
-    job.stop = &interrupted;
-    job.transfer = transfer;
-    job.done = (unsigned char *)calloc((size_t)job.point_count, 1);
-    if (!job.done) return why_set(w, "out of memory");
-    result = bake_job_run(&job);
-    free(job.done);
-    return result == PRT_OK ? 0 : why_set(w, "bake: %s", prt_result_string(result));
+static int bake_shadowed(demo *d, why *w) {
+    refined_bake r;
+    int failed;
+    memset(&r, 0, sizeof r);
+    r.job.desc.bands = MOST_BANDS;
+    r.job.desc.samples = d->rays;
+    r.job.desc.bias = (prt_real)1e-4;
+    r.job.desc.tracer = &d->tracer.tracer;
+    r.job.threads = d->threads;
+    r.job.what = "demo: bake";
+    r.job.stop = &interrupted;
+    r.m = &d->fine;
+    r.levels = 4;
+    r.tolerance = 0.003;
+    failed = refined_bake_run(&r, w);
+    d->shadowed = r.job.transfer;
+    return failed;
 }
 
 static int bake_all(demo *d, why *w) {
-    int column;
-    for (column = 0; column < COLUMNS - 1; column++) {
-        size_t row = (size_t)PRT_SH_COUNT(bands_of(column));
-        double before = processor_seconds();
-        d->transfer[column] = (prt_real *)malloc((size_t)d->scene.point_count * row * sizeof(prt_real));
-        if (!d->transfer[column]) return why_set(w, "out of memory");
-        if (column == UNSHADOWED) bake_unshadowed(&d->scene, d->transfer[column]);
-        else if (bake_shadowed(d, bands_of(column), d->transfer[column], w)) return -1;
-        d->bake_seconds[column] = processor_seconds() - before;
-    }
+    double start = processor_seconds(), middle;
+    if (bake_shadowed(d, w)) return -1;
+    middle = processor_seconds();
+    d->unshadowed = (prt_real *)malloc((size_t)d->fine.point_count * COEFFICIENTS * sizeof(prt_real));
+    if (!d->unshadowed) return why_set(w, "out of memory");
+    bake_unshadowed(&d->fine, d->unshadowed);
+    d->bake_seconds[0] = processor_seconds() - middle;
+    d->bake_seconds[1] = middle - start;
     return 0;
+}
+
+/* Transfer of so many bands is the first coefficients of transfer of more. */
+static int set_transfer(const demo *d, relighter *r, int column, why *w) {
+    const prt_real *from = column == UNSHADOWED ? d->unshadowed : d->shadowed;
+    size_t points = (size_t)d->fine.point_count, row = (size_t)PRT_SH_COUNT(bands_of(column)), k;
+    prt_real *transfer = (prt_real *)malloc(points * row * sizeof *transfer);
+    int failed;
+    if (!transfer) return why_set(w, "out of memory");
+    for (k = 0; k < points; k++) memcpy(transfer + k * row, from + k * COEFFICIENTS, row * sizeof *transfer);
+    failed = relighter_set_transfer(r, bands_of(column), &d->fine, transfer, w);
+    free(transfer);
+    return failed;
 }
 
 /* The second drawing is timed: the first may still compile its shader. */
 static int draw_column(demo *d, relighter *r, int column, why *w) {
     int samples = d->size * SAMPLES_A_PIXEL, e;
-    if (relighter_set_transfer(r, bands_of(column), &d->scene, d->transfer[column], w)) return -1;
+    if (set_transfer(d, r, column, w)) return -1;
     for (e = 0; e < ENVIRONMENTS; e++) {
         prt_real light[3 * COEFFICIENTS];
         cell *c = &d->cells[e][column];
@@ -158,7 +171,7 @@ static int draw_all(demo *d, why *w) {
     osmesa_context context;
     relighter r;
     if (osmesa_context_create(&context, w)) return -1;
-    failed = relighter_create(&r, &d->scene, samples, samples, w);
+    failed = relighter_create(&r, &d->fine, samples, samples, w);
     for (column = 0; column < COLUMNS - 1 && !failed; column++) failed = draw_column(d, &r, column, w);
     relighter_destroy(&r);
     osmesa_context_destroy(&context);
@@ -175,6 +188,7 @@ static int trace_all(demo *d, why *w) {
     job->bias = (prt_real)1e-4;
     job->width = job->height = d->size * SAMPLES_A_PIXEL;
     job->threads = d->threads;
+    job->what = "demo: reference";
     job->stop = &interrupted;
     before = processor_seconds();
     if (reference_trace(job, w)) return -1;
@@ -199,23 +213,26 @@ static int finish_reference(demo *d, int e, why *w) {
     return 0;
 }
 
-static int measure(demo *d, why *w) {
+/* least: of alpha in the reference, see reference.h. */
+static void compare(const demo *d, int e, int column, float least, errors *to) {
     const reference_half *h0 = &d->reference.halves[0], *h1 = &d->reference.halves[1];
-    const float all = 0.5f, bunny = 1;                      /* alpha in the reference: see reference.h */
+    const picture *p = &d->cells[e][column].picture, *r0 = &h0->reference[e], *r1 = &h1->reference[e];
+    to->rmse = reference_error(p, p, r0, r1, SAMPLES_A_PIXEL, least);
+    if (column == UNSHADOWED) return;
+    to->floor = reference_error(&h0->floor[e][column - 1], &h1->floor[e][column - 1], r0, r1, SAMPLES_A_PIXEL, least);
+    to->uncertainty = reference_uncertainty(&d->reference, e, column - 1, p, SAMPLES_A_PIXEL, least) /
+                      (to->rmse + to->floor);              /* of the difference of the squares, to that of the roots */
+}
+
+static int measure(demo *d, why *w) {
     int e, column;
     for (e = 0; e < ENVIRONMENTS; e++) {
-        const picture *r0 = &h0->reference[e], *r1 = &h1->reference[e], *f0, *f1;
+        const picture *r0 = &d->reference.halves[0].reference[e], *r1 = &d->reference.halves[1].reference[e];
         if (finish_reference(d, e, w)) return -1;
-        d->noise[e] = 0.5 * reference_error(r0, r0, r1, r1, SAMPLES_A_PIXEL, all);
+        d->noise[e] = 0.5 * reference_error(r0, r0, r1, r1, SAMPLES_A_PIXEL, 0.5f);
         for (column = 0; column < COLUMNS - 1; column++) {
-            cell *c = &d->cells[e][column];
-            c->rmse = reference_error(&c->picture, &c->picture, r0, r1, SAMPLES_A_PIXEL, all);
-            c->bunny_rmse = reference_error(&c->picture, &c->picture, r0, r1, SAMPLES_A_PIXEL, bunny);
-            if (column == UNSHADOWED) continue;
-            f0 = &h0->floor[e][column - 1];
-            f1 = &h1->floor[e][column - 1];
-            c->floor = reference_error(f0, f1, r0, r1, SAMPLES_A_PIXEL, all);
-            c->bunny_floor = reference_error(f0, f1, r0, r1, SAMPLES_A_PIXEL, bunny);
+            compare(d, e, column, 0.5f, &d->cells[e][column].all);
+            compare(d, e, column, 1, &d->cells[e][column].bunny);
         }
     }
     return 0;
@@ -223,7 +240,7 @@ static int measure(demo *d, why *w) {
 
 /* ---- the sheet ---- */
 
-enum { MARGIN = 24, GAP = 8, LABEL = 172, HEAD = 92, CAPTION = 52, FOOT = 58 };
+enum { MARGIN = 24, GAP = 8, LABEL = 172, HEAD = 92, CAPTION = 68, FOOT = 78 };
 
 typedef struct sheet { canvas c; text_font regular, bold; } sheet;
 
@@ -249,21 +266,24 @@ static void put_panorama(sheet *s, const environment *e, int x, int y, int width
 
 static void put_cell(sheet *s, const demo *d, int e, int column, int x, int y, double exposure) {
     const cell *c = &d->cells[e][column];
-    char first[80], second[80];
+    char lines[3][80] = { "", "", "" };
     canvas_put_picture(&s->c, x, y, &c->picture, SAMPLES_A_PIXEL, exposure);
     if (column == REFERENCE) {
-        snprintf(first, sizeof first, "noise %.2f %%", 100 * d->noise[e]);
-        snprintf(second, sizeof second, "%d rays a pixel · %.0f s for all three",
-                 SAMPLES_A_PIXEL * SAMPLES_A_PIXEL * REFERENCE_HALVES *
-                 (REFERENCE_COSINE_RAYS + REFERENCE_LIGHT_RAYS), d->reference_seconds);
+        snprintf(lines[0], sizeof lines[0], "noise %.2f %%", 100 * d->noise[e]);
+        snprintf(lines[1], sizeof lines[1], "%d rays a pixel", SAMPLES_A_PIXEL * SAMPLES_A_PIXEL * REFERENCE_HALVES *
+                 (REFERENCE_COSINE_RAYS + REFERENCE_LIGHT_RAYS));
+        snprintf(lines[2], sizeof lines[2], "%.0f s for all three", d->reference_seconds);
     } else {
-        if (column == UNSHADOWED) snprintf(first, sizeof first, "RMSE %.1f %%", 100 * c->rmse);
-        else snprintf(first, sizeof first, "RMSE %.2f %%  (floor %.2f %%)", 100 * c->rmse, 100 * c->floor);
-        snprintf(second, sizeof second, "bake %.*f s · frame %.0f ms", d->bake_seconds[column] < 1 ? 2 : 1,
-                 d->bake_seconds[column], 1000 * c->seconds);
+        snprintf(lines[0], sizeof lines[0], "RMSE %.2f %%", 100 * c->all.rmse);
+        if (column != UNSHADOWED)
+            snprintf(lines[1], sizeof lines[1], "floor %.2f %% %+.3f ± %.3f", 100 * c->all.floor,
+                     100 * (c->all.rmse - c->all.floor), 100 * c->all.uncertainty);
+        snprintf(lines[2], sizeof lines[2], "bake %.*f s · frame %.0f ms", column == UNSHADOWED ? 2 : 0,
+                 d->bake_seconds[column != UNSHADOWED], 1000 * c->seconds);
     }
-    centred(s, &s->bold, 15, x, d->size, y + d->size + 19, 235, first);
-    centred(s, &s->regular, 14, x, d->size, y + d->size + 37, 165, second);
+    centred(s, &s->bold, 15, x, d->size, y + d->size + 19, 235, lines[0]);
+    centred(s, &s->regular, 14, x, d->size, y + d->size + 37, 200, lines[1]);
+    centred(s, &s->regular, 14, x, d->size, y + d->size + 54, 165, lines[2]);
 }
 
 static void put_head(sheet *s, const demo *d) {
@@ -280,11 +300,14 @@ static void put_foot(sheet *s, const demo *d) {
     char line[300];
     int y = s->c.height - FOOT + 20;
     snprintf(line, sizeof line, "%d vertices, %d rays each. RMSE: of linear radiance over the pixels that the mesh "
-             "covers, relative to the mean of the ray-traced picture.", d->scene.point_count, d->rays);
+             "covers, relative to the mean of the ray-traced picture.", d->fine.point_count, d->rays);
     text_draw(&s->c, &s->regular, 14, MARGIN, y, 150, line);
     text_draw(&s->c, &s->regular, 14, MARGIN, y + 20, 150,
               "Floor: the same light on transfer traced and projected at every sample itself, the best that so many "
-              "bands can do; what a picture has beyond it is the price of vertices and rays. Times: processor, all cores.");
+              "bands can do; then what the picture has beyond it, ± standard error.");
+    text_draw(&s->c, &s->regular, 14, MARGIN, y + 40, 150,
+              "Times: processor, all cores. One bake of 8 bands serves all columns: fewer bands are its first "
+              "coefficients.");
 }
 
 static int make_sheet(const demo *d, sheet *s, why *w) {
@@ -329,20 +352,27 @@ static int report(const demo *d, why *w) {
     snprintf(path, sizeof path, "%s/demo.csv", d->out);
     csv = fopen(path, "w");
     if (!csv) return why_set(w, "%s: cannot be created: %s", path, strerror(errno));
-    fprintf(csv, "environment,bands,shadowed,rmse_percent,floor_percent,bunny_rmse_percent,bunny_floor_percent,"
+    fprintf(csv, "environment,bands,shadowed,rmse_percent,floor_percent,standard_error_of_difference_percent,"
+            "bunny_rmse_percent,bunny_floor_percent,bunny_standard_error_of_difference_percent,"
             "reference_noise_percent,bake_s,frame_ms\n");
-    printf("%-10s %5s %7s %8s %8s %12s %8s %8s %8s %9s\n", "light", "bands", "shadows", "RMSE %", "floor %",
-           "bunny RMSE %", "floor %", "noise %", "bake s", "frame ms");
+    printf("%-10s %5s %7s | %7s %7s %16s | %12s %7s %16s | %7s %7s %8s\n", "light", "bands", "shadows", "RMSE %",
+           "floor %", "above floor %", "bunny RMSE %", "floor %", "above floor %", "noise %", "bake s", "frame ms");
     for (e = 0; e < ENVIRONMENTS; e++) {
         for (column = 0; column < COLUMNS - 1; column++) {
             const cell *c = &d->cells[e][column];
-            int shadowed = column != UNSHADOWED;
-            printf("%-10s %5d %7s %8.2f %8.2f %12.2f %8.2f %8.2f %8.2f %9.1f\n", d->environments[e].name,
-                   bands_of(column), shadowed ? "yes" : "no", 100 * c->rmse, 100 * c->floor, 100 * c->bunny_rmse,
-                   100 * c->bunny_floor, 100 * d->noise[e], d->bake_seconds[column], 1000 * c->seconds);
-            fprintf(csv, "%s,%d,%d,%.4f,%.4f,%.4f,%.4f,%.4f,%.3f,%.2f\n", d->environments[e].name, bands_of(column),
-                    shadowed, 100 * c->rmse, 100 * c->floor, 100 * c->bunny_rmse, 100 * c->bunny_floor,
-                    100 * d->noise[e], d->bake_seconds[column], 1000 * c->seconds);
+            const errors *a = &c->all, *b = &c->bunny;
+            double bake = d->bake_seconds[column != UNSHADOWED], noise = 100 * d->noise[e], ms = 1000 * c->seconds;
+            if (column == UNSHADOWED)
+                printf("%-10s %5d %7s | %7.2f %7s %16s | %12.2f %7s %16s | %7.2f %7.2f %8.1f\n", d->environments[e].name,
+                       bands_of(column), "no", 100 * a->rmse, "", "", 100 * b->rmse, "", "", noise, bake, ms);
+            else
+                printf("%-10s %5d %7s | %7.3f %7.3f %+7.3f +- %5.3f | %12.3f %7.3f %+7.3f +- %5.3f | %7.2f %7.2f %8.1f\n",
+                       d->environments[e].name, bands_of(column), "yes", 100 * a->rmse, 100 * a->floor,
+                       100 * (a->rmse - a->floor), 100 * a->uncertainty, 100 * b->rmse, 100 * b->floor,
+                       100 * (b->rmse - b->floor), 100 * b->uncertainty, noise, bake, ms);
+            fprintf(csv, "%s,%d,%d,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.3f,%.2f\n", d->environments[e].name,
+                    bands_of(column), column != UNSHADOWED, 100 * a->rmse, 100 * a->floor, 100 * a->uncertainty,
+                    100 * b->rmse, 100 * b->floor, 100 * b->uncertainty, noise, bake, ms);
         }
     }
     if (ferror(csv) | fclose(csv)) return why_set(w, "%s: cannot be written: %s", path, strerror(errno));
@@ -356,9 +386,11 @@ static void demo_free(demo *d) {
         for (column = 0; column < COLUMNS; column++) picture_free(&d->cells[e][column].picture);
     }
     reference_free(&d->reference);
-    for (column = 0; column < COLUMNS - 1; column++) free(d->transfer[column]);
+    free(d->unshadowed);
+    free(d->shadowed);
     embree_tracer_destroy(&d->tracer);
     mesh_free(&d->scene);
+    mesh_free(&d->fine);
 }
 
 static int run(demo *d, why *w) {
@@ -373,7 +405,7 @@ static int parse(int count, char **words, demo *d, why *w) {
     d->mesh_path = "/usr/share/glmark2/models/bunny.obj";
     d->data = PRT_EXAMPLE_DATA;
     d->out = "out";
-    d->rays = 1024;
+    d->rays = 8192;
     d->size = 300;
     d->threads = processor_count();
     for (i = 1; i + 1 < count; i += 2) {

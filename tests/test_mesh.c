@@ -103,14 +103,80 @@ static void subdivision_keeps_the_surface(void **state) {
     double before = area(m);
     why w;
     assert_near(before, 3 * 8 + 8 * sqrt(3.0), 1e-5);
-    assert_int_equal(mesh_subdivide(m, &w), 0);
+    assert_int_equal(mesh_cut_edges(m, NULL, NULL, NULL, &w), 0);
     assert_int_equal(m->point_count, 10);
     assert_int_equal(m->triangle_count, 16);
     assert_near(area(m), before, 1e-5);
     assert_points_are_bakeable(m);
-    assert_int_equal(mesh_subdivide(m, &w), 0);
+    assert_int_equal(mesh_cut_edges(m, NULL, NULL, NULL, &w), 0);
     assert_int_equal(m->point_count, 10 + 24);               /* one for each edge: E = V + F - 2 */
     assert_near(area(m), before, 1e-5);
+}
+
+/* Every choice among the three edges of one triangle: its area stays, and where both its neighbours across an edge see
+   the cut, no edge but the outline belongs to one triangle alone. */
+static int chosen(void *user, uint32_t a, uint32_t b) {
+    const int *choice = (const int *)user;
+    return *choice >> (a + b - 1) & 1;                       /* of corners 0, 1, 2: sums 1, 2, 3 name the edges */
+}
+
+static int edges_of_one_triangle(const mesh *m) {
+    int i, k, count = 0;
+    for (i = 0; i < 3 * m->triangle_count; i++) {
+        uint32_t a = m->triangles[i], b = m->triangles[i % 3 == 2 ? i - 2 : i + 1];
+        int others = 0;
+        for (k = 0; k < 3 * m->triangle_count; k++) {
+            uint32_t c = m->triangles[k], d = m->triangles[k % 3 == 2 ? k - 2 : k + 1];
+            others += k != i && ((a == c && b == d) || (a == d && b == c));
+        }
+        count += others == 0;
+    }
+    return count;
+}
+
+static void every_choice_of_edges_is_cut(void **state) {
+    int choice;
+    (void)state;
+    for (choice = 0; choice < 8; choice++) {
+        int cuts = (choice & 1) + (choice >> 1 & 1) + (choice >> 2), i;
+        uint32_t *ends;
+        mesh m;
+        why w;
+        first_coordinate = 0;
+        assert_int_equal(mesh_load("tetrahedron", MESH_Z_UP, &m, &w), 0);
+        m.triangle_count = 1;                                /* 0 2 1 alone, of area 8 */
+        assert_int_equal(mesh_cut_edges(&m, chosen, &choice, &ends, &w), 0);
+        assert_int_equal(m.triangle_count, 1 + cuts);
+        assert_int_equal(m.point_count, 4 + cuts);
+        assert_near(area(&m), 8, 1e-6);
+        assert_int_equal(edges_of_one_triangle(&m), 3 + cuts);
+        for (i = 0; i < cuts; i++) {
+            const prt_vec3 *a = &m.points[ends[2 * i]].position, *b = &m.points[ends[2 * i + 1]].position;
+            assert_true(chosen(&choice, ends[2 * i], ends[2 * i + 1]));
+            assert_near(m.points[4 + i].position.x, (a->x + b->x) / 2, 0);
+            assert_near(m.points[4 + i].position.y, (a->y + b->y) / 2, 0);
+        }
+        assert_points_are_bakeable(&m);
+        free(ends);
+        mesh_free(&m);
+    }
+}
+
+/* Across a closed surface neighbours agree about the edge between them, so that cutting some leaves it closed. */
+static int an_odd_end(void *user, uint32_t a, uint32_t b) { (void)user; return (a ^ b) & 1; }
+
+static void neighbours_are_cut_alike(void **state) {
+    mesh *m = (mesh *)*state;
+    double before = area(m);
+    why w;
+    int k;
+    for (k = 0; k < 3; k++) {
+        assert_int_equal(mesh_cut_edges(m, an_odd_end, NULL, NULL, &w), 0);
+        assert_int_equal(edges_of_one_triangle(m), 0);
+        assert_int_equal(m->triangle_count, 2 * m->point_count - 4);     /* Euler: a sphere still */
+        assert_near(area(m), before, 1e-5);
+        assert_points_are_bakeable(m);
+    }
 }
 
 /* Five rings: the area of a regular polygon of 30 corners, and every point at its height. */
@@ -148,6 +214,8 @@ int main(void) {
         cmocka_unit_test(positions_must_be_finite),
         cmocka_unit_test_setup_teardown(fits_the_unit_sphere, load, drop),
         cmocka_unit_test_setup_teardown(subdivision_keeps_the_surface, load, drop),
+        cmocka_unit_test(every_choice_of_edges_is_cut),
+        cmocka_unit_test_setup_teardown(neighbours_are_cut_alike, load, drop),
         cmocka_unit_test_setup_teardown(the_floor_is_a_disc, load, drop),
         cmocka_unit_test_setup_teardown(the_hash_sees_every_part, load, drop)
     };

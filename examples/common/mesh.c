@@ -14,6 +14,21 @@ void mesh_free(mesh *m) {
     memset(m, 0, sizeof *m);
 }
 
+int mesh_copy(const mesh *from, mesh *to, why *w) {
+    size_t points = (size_t)from->point_count * sizeof *to->points;
+    size_t triangles = 3 * (size_t)from->triangle_count * sizeof *to->triangles;
+    *to = *from;
+    to->points = (prt_point *)malloc(points);
+    to->triangles = (uint32_t *)malloc(triangles);
+    if (!to->points || !to->triangles) {
+        mesh_free(to);
+        return why_set(w, "out of memory for a copy of the mesh");
+    }
+    memcpy(to->points, from->points, points);
+    memcpy(to->triangles, from->triangles, triangles);
+    return 0;
+}
+
 static void turn_to_z_up(prt_vec3 *v, int count) {
     int i;
     for (i = 0; i < count; i++) {
@@ -103,43 +118,86 @@ static prt_point middle_of(const prt_point *a, const prt_point *b) {
     return p;
 }
 
-int mesh_subdivide(mesh *m, why *w) {
-    size_t edges = 3 * (size_t)m->triangle_count, fresh = 0, i;
-    edge *edge_list = (edge *)malloc(edges * sizeof *edge_list);
-    uint32_t *middle = (uint32_t *)malloc(edges * sizeof *middle);
-    uint32_t *triangles = (uint32_t *)malloc(4 * edges * sizeof *triangles);
-    prt_point *points = (prt_point *)realloc(m->points, ((size_t)m->point_count + edges) * sizeof *points);
-    if (points) m->points = points;
-    if (!edge_list || !middle || !triangles || !points || edges > INT_MAX / 8) {
-        free(edge_list);
-        free(middle);
-        free(triangles);
-        return why_set(w, "out of memory for a finer mesh");
-    }
-    for (i = 0; i < edges; i++) {
+/* The mesh's edges, each as often as it has triangles, sorted so that these stand together. */
+static void list_edges(const mesh *m, edge *list) {
+    size_t count = 3 * (size_t)m->triangle_count, i;
+    for (i = 0; i < count; i++) {
         uint32_t a = m->triangles[i], b = m->triangles[i % 3 == 2 ? i - 2 : i + 1];
-        edge_list[i].key = (uint64_t)(a < b ? a : b) << 32 | (a < b ? b : a);
-        edge_list[i].place = (uint32_t)i;
+        list[i].key = (uint64_t)(a < b ? a : b) << 32 | (a < b ? b : a);
+        list[i].place = (uint32_t)i;
     }
-    qsort(edge_list, edges, sizeof *edge_list, by_key);
-    for (i = 0; i < edges; i++) {
-        if (i == 0 || edge_list[i].key != edge_list[i - 1].key)
-            points[(size_t)m->point_count + fresh++] = middle_of(points + (edge_list[i].key >> 32),
-                                                                 points + (uint32_t)edge_list[i].key);
-        middle[edge_list[i].place] = (uint32_t)((size_t)m->point_count + fresh - 1);
+    qsort(list, count, sizeof *list, by_key);
+}
+
+enum { UNCUT = -1 };                   /* as an edge's middle; else the point there */
+
+static uint32_t *put_triangle(uint32_t *to, int64_t a, int64_t b, int64_t c) {
+    to[0] = (uint32_t)a;
+    to[1] = (uint32_t)b;
+    to[2] = (uint32_t)c;
+    return to + 3;
+}
+
+/* One triangle by the middles of its edges (edge k runs from corner k to the next). */
+static uint32_t *cut_triangle(const uint32_t v[3], const int64_t middle[3], uint32_t *to) {
+    int cuts = (middle[0] != UNCUT) + (middle[1] != UNCUT) + (middle[2] != UNCUT), k = 0;
+    int64_t a, b, c, ab, bc, ca;
+    if (cuts == 1) while (middle[k] == UNCUT) k++;                  /* turned so that the cut edge, */
+    if (cuts == 2) while (middle[(k + 2) % 3] != UNCUT) k++;        /* or the two of them, come first */
+    a = v[k]; b = v[(k + 1) % 3]; c = v[(k + 2) % 3];
+    ab = middle[k]; bc = middle[(k + 1) % 3]; ca = middle[(k + 2) % 3];
+    if (cuts == 0) return put_triangle(to, a, b, c);
+    if (cuts == 1) return put_triangle(put_triangle(to, a, ab, c), ab, b, c);
+    to = put_triangle(to, ab, b, bc);
+    if (cuts == 2) return put_triangle(put_triangle(to, a, ab, bc), a, bc, c);
+    return put_triangle(put_triangle(put_triangle(to, a, ab, ca), ca, bc, c), ab, bc, ca);
+}
+
+/* Makes the points in the middle of the wanted edges: of edge i at middle[i]. */
+static int make_middles(mesh *m, const edge *list, mesh_edge_test wanted, void *user, int64_t *middle, uint32_t *ends) {
+    size_t count = 3 * (size_t)m->triangle_count, i;
+    int fresh = 0;
+    for (i = 0; i < count; i++) {
+        uint32_t a = (uint32_t)(list[i].key >> 32), b = (uint32_t)list[i].key;
+        if (i > 0 && list[i].key == list[i - 1].key) {
+            middle[list[i].place] = middle[list[i - 1].place];
+        } else if (wanted && !wanted(user, a, b)) {
+            middle[list[i].place] = UNCUT;
+        } else {
+            middle[list[i].place] = m->point_count + fresh;
+            m->points[m->point_count + fresh] = middle_of(m->points + a, m->points + b);
+            ends[2 * fresh] = a;
+            ends[2 * fresh + 1] = b;
+            fresh++;
+        }
     }
-    for (i = 0; i < edges; i += 3) {
-        const uint32_t *v = m->triangles + i, *e = middle + i;
-        const uint32_t four[12] = { v[0], e[0], e[2], e[0], v[1], e[1], e[2], e[1], v[2], e[0], e[1], e[2] };
-        memcpy(triangles + 4 * i, four, sizeof four);
+    return fresh;
+}
+
+int mesh_cut_edges(mesh *m, mesh_edge_test wanted, void *user, uint32_t **ends, why *w) {
+    size_t edges = 3 * (size_t)m->triangle_count, i;
+    edge *list = (edge *)malloc(edges * sizeof *list);
+    int64_t *middle = (int64_t *)malloc(edges * sizeof *middle);
+    uint32_t *pairs = (uint32_t *)malloc(2 * edges * sizeof *pairs);
+    uint32_t *triangles = (uint32_t *)malloc(4 * edges * sizeof *triangles), *end = triangles;
+    prt_point *points = (prt_point *)realloc(m->points, ((size_t)m->point_count + edges) * sizeof *points);
+    int failed = !list || !middle || !pairs || !triangles || !points || edges > INT_MAX / 8;
+    if (points) m->points = points;
+    if (!failed) {
+        list_edges(m, list);
+        m->point_count += make_middles(m, list, wanted, user, middle, pairs);
+        for (i = 0; i < edges; i += 3) end = cut_triangle(m->triangles + i, middle + i, end);
+        free(m->triangles);
+        m->triangle_count = (int)((end - triangles) / 3);
+        m->triangles = triangles;
+    } else {
+        free(triangles);
     }
-    free(edge_list);
+    free(list);
     free(middle);
-    free(m->triangles);
-    m->triangles = triangles;
-    m->triangle_count *= 4;
-    m->point_count += (int)fresh;
-    return 0;
+    if (ends && !failed) *ends = pairs;
+    else free(pairs);
+    return failed ? why_set(w, "out of memory for a finer mesh") : 0;
 }
 
 static void set_floor_point(prt_point *point, prt_vec3 centre, double radius, double angle) {

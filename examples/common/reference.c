@@ -5,9 +5,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
-#include "progress.h"
+#include "parallel.h"
 
 static const float rest_alpha = 0.5f, object_alpha = 1;
 
@@ -229,7 +228,11 @@ static prt_point point_of(const mesh *m, const prt_hit *hit) {
     return p;
 }
 
-static int shade_row(reference *r, int y, prt_ray *eye_rays, prt_hit *hits, sample_rays *s) {
+typedef struct row_buffers { prt_ray *rays; prt_hit *hits; sample_rays samples; } row_buffers;
+
+static int shade_row(reference *r, int y, row_buffers *own) {
+    prt_ray *eye_rays = own->rays;
+    prt_hit *hits = own->hits;
     camera_frame f = camera_make_frame(&r->eye, (double)r->width / r->height);
     int x, half;
     for (x = 0; x < r->width; x++) {
@@ -251,30 +254,34 @@ static int shade_row(reference *r, int y, prt_ray *eye_rays, prt_hit *hits, samp
         if (hits[x].object < 0) continue;
         p = point_of(r->scene, &hits[x]);
         for (half = 0; half < REFERENCE_HALVES; half++)
-            if (shade_sample(r, half, (size_t)y * (size_t)r->width + (size_t)x, &p, alpha, s)) return -1;
+            if (shade_sample(r, half, (size_t)y * (size_t)r->width + (size_t)x, &p, alpha, &own->samples)) return -1;
     }
     return 0;
 }
 
-static int shade_rows(void *user) {
-    reference *r = (reference *)user;
-    prt_ray *rays = (prt_ray *)malloc((size_t)r->width * sizeof *rays);
-    prt_hit *hits = (prt_hit *)malloc((size_t)r->width * sizeof *hits);
-    sample_rays *s = (sample_rays *)malloc(sizeof *s);
-    int failed = !rays || !hits || !s;
-    for (;;) {
-        int row;
-        mtx_lock(&r->lock);
-        r->failed |= failed;
-        row = r->failed || *r->stop || r->next_row >= r->height ? -1 : r->next_row++;
-        mtx_unlock(&r->lock);
-        if (row < 0) break;
-        failed = shade_row(r, row, rays, hits, s);
-    }
-    free(rays);
-    free(hits);
-    free(s);
-    return 0;
+static void end_rows(void *buffers) {
+    row_buffers *own = (row_buffers *)buffers;
+    free(own->rays);
+    free(own->hits);
+    free(own);
+}
+
+static int begin_rows(void *user, void **buffers) {
+    const reference *r = (const reference *)user;
+    row_buffers *own = (row_buffers *)malloc(sizeof *own);
+    if (!own) return -1;
+    own->rays = (prt_ray *)malloc((size_t)r->width * sizeof *own->rays);
+    own->hits = (prt_hit *)malloc((size_t)r->width * sizeof *own->hits);
+    *buffers = own;
+    if (own->rays && own->hits) return 0;
+    end_rows(own);
+    return -1;
+}
+
+static int shade_rows(void *user, void *buffers, int first, int count) {
+    int failed = 0, k;
+    for (k = 0; k < count && !failed; k++) failed = shade_row((reference *)user, first + k, (row_buffers *)buffers);
+    return failed;
 }
 
 static int make_halves(reference *r, why *w) {
@@ -300,27 +307,21 @@ void reference_free(reference *r) {
 }
 
 int reference_trace(reference *r, why *w) {
-    thrd_t thread[256];
-    progress p;
-    int started = 0, row = 0;
+    parallel rows;
     if (make_halves(r, w)) return -1;
-    if (mtx_init(&r->lock, mtx_plain) != thrd_success) return why_set(w, "the reference: no threads are to be had");
-    progress_start(&p, "reference", r->height, 0, "rows", 1);
-    while (started < r->threads && started < 256 && thrd_create(&thread[started], shade_rows, r) == thrd_success)
-        started++;
-    while (started > 0 && row < r->height) {
-        const struct timespec pause = { 0, 100000000 };
-        thrd_sleep(&pause, NULL);
-        mtx_lock(&r->lock);
-        row = r->failed || *r->stop ? r->height : r->next_row;
-        progress_show(&p, r->next_row);
-        mtx_unlock(&r->lock);
-    }
-    r->failed |= started == 0;
-    while (started > 0) thrd_join(thread[--started], NULL);
-    progress_end(&p, r->next_row);
-    mtx_destroy(&r->lock);
-    return r->failed ? why_set(w, "the reference could not be traced") : 0;
+    memset(&rows, 0, sizeof rows);
+    rows.count = r->height;
+    rows.chunk = 1;
+    rows.threads = r->threads;
+    rows.what = r->what;
+    rows.unit = "rows";
+    rows.unit_per_item = 1;
+    rows.stop = r->stop;
+    rows.begin = begin_rows;
+    rows.work = shade_rows;
+    rows.end = end_rows;
+    rows.user = r;
+    return parallel_run(&rows, w);
 }
 
 /* ---- figures ---- */
@@ -359,4 +360,32 @@ double reference_error(const picture *a0, const picture *a1, const picture *b0, 
         }
     }
     return sum > 0 && products > 0 ? sqrt(products / count) / (sum / count) : 0;
+}
+
+static double squared(const double a[3], const double b[3]) {
+    double sum = 0;
+    int c;
+    for (c = 0; c < 3; c++) sum += (a[c] - b[c]) * (a[c] - b[c]);
+    return sum;
+}
+
+double reference_uncertainty(const reference *r, int light, int bands, const picture *p, int per_pixel, float least) {
+    const picture *r0 = &r->halves[0].reference[light], *r1 = &r->halves[1].reference[light];
+    const picture *f0 = &r->halves[0].floor[light][bands], *f1 = &r->halves[1].floor[light][bands];
+    double vp[3], vr0[3], vr1[3], vf0[3], vf1[3], sum = 0, squares = 0, count = 0;
+    int x, y;
+    for (y = 0; y < p->height / per_pixel; y++) {
+        for (x = 0; x < p->width / per_pixel; x++) {
+            double d;
+            if (pixel_of(r0, x, y, per_pixel, least, vr0) || pixel_of(r1, x, y, per_pixel, least, vr1) ||
+                pixel_of(f0, x, y, per_pixel, rest_alpha, vf0) || pixel_of(f1, x, y, per_pixel, rest_alpha, vf1) ||
+                pixel_of(p, x, y, per_pixel, rest_alpha, vp))
+                continue;
+            d = 0.5 * ((squared(vp, vr0) - squared(vp, vr1)) - (squared(vf0, vr0) - squared(vf1, vr1)));
+            squares += d * d;
+            sum += 0.5 * (vr0[0] + vr0[1] + vr0[2] + vr1[0] + vr1[1] + vr1[2]);
+            count += 3;
+        }
+    }
+    return sum > 0 ? sqrt(squares) / count / (sum / count * sum / count) : 0;
 }

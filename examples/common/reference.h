@@ -5,7 +5,6 @@
 #define EXAMPLES_REFERENCE_H
 
 #include <signal.h>
-#include <threads.h>
 
 #include "camera.h"
 #include "image.h"
@@ -50,10 +49,9 @@ typedef struct reference {
     camera                eye;
     prt_real              bias;        /* of shadow rays along the shading normal, as in a bake */
     int                   width, height, threads;          /* width and height count samples */
+    const char            *what;       /* what the progress line calls it; NULL: silent */
     volatile sig_atomic_t *stop;       /* becomes nonzero: give up */
     reference_half        halves[REFERENCE_HALVES];
-    mtx_t                 lock;        /* guards what follows */
-    int                   next_row, failed;
 } reference;
 
 /* Traces everything; everything above `halves` is the caller's to set. 0, or -1 with the reason in w. */
@@ -65,5 +63,11 @@ void reference_free(reference *r);
    0. Independent noise in the two factors leaves the mean alone. */
 double reference_error(const picture *a0, const picture *a1, const picture *b0, const picture *b1, int per_pixel,
                        float least);
+
+/* The standard error, from the noise of the rays, of the difference between two squared errors as reference_error gives
+   them: that of picture p and that of the floor of `bands` (an index into reference_bands), both against the reference
+   under one light. With independent noise in the halves, the square of (P-R0)^2/2 - (P-R1)^2/2 has at each pixel the
+   mean of the variance of (P-R0)(P-R1), and likewise the floor; the two are correlated, so they are taken together. */
+double reference_uncertainty(const reference *r, int light, int bands, const picture *p, int per_pixel, float least);
 
 #endif
