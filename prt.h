@@ -112,6 +112,7 @@
      [Szego 1939]        Szego: Orthogonal Polynomials, section 7.7. AMS Colloquium Publications 23, 1939
      [Sherif 2013]       Sherif: Vector Occluders: An Empirical Approximation for Rendering Global Illumination
                          Effects in Real-Time. MSc thesis, University of Ontario Institute of Technology, 2013
+     [Cigolle 2014]      Cigolle et al.: A Survey of Efficient Representations for Independent Unit Vectors. JCGT 3(2)
      [Oat 2007]          Oat, Sander: Ambient Aperture Lighting. I3D 2007
      [Michael 2010]      Michael, Chrysanthou: Fullsphere Irradiance Factorization for Real-time All-frequency
                          Illumination for Dynamic Scenes. Computer Graphics Forum 29(8), 2010
@@ -817,6 +818,64 @@ PRTDEF prt_result prt_vo_shade(const prt_vo_params *params, const prt_vo_point *
 PRTDEF prt_result prt_vo_shade_n(const prt_vo_params *params, int count, const prt_vo_point *points, prt_vec3 eye,
                                  const int *first, const prt_vo_occluder *occluders,
                                  int light_count, const prt_point_light *lights, prt_rgb *out);
+
+/* Packed occluders: 40 bytes instead of 104 (float), or 20 where DS, SS and caustics are off. Words, from the lowest bit:
+     0  half x, half y                           the position from the point, (P - x)/unit; as GLSL's unpackHalf2x16
+     1  half z, half form_factor
+     2  occlusion                                octahedral, 16 bits each; as GLSL's unpackSnorm2x16
+     3  diffuse_normal, diffuse.r                octahedral, 12 bits each, 2048 + 2047 v; then 8 bits of the root of r
+     4  half |diffuse_normal|, diffuse.g, diffuse.b
+     5  caustic                                  as 2
+     6  half caustic_factor, half |specular_normal|
+     7  specular_normal, specular.r              as 3
+     8  specular.g, specular.b, transmissive.r, transmissive.g
+     9  transmissive.b
+   Octahedral, of a unit vector v: (x, y)/(|x| + |y| + |z|), and below z = 0 (1 - |y|, 1 - |x|) with the signs of x and y
+   [Cigolle 2014]. A colour is (byte/255)^2. Directions of which the factor is 0 come back as zero vectors.
+   Errors: 2^-11 of each component of P - x, of factors and lengths; 0.004 degrees of occlusion and caustic, 0.06 of normals;
+   (sqrt(c) + 1/1020)/255 of a colour c (tests/test_vo.c). */
+typedef struct prt_vo_packed { uint32_t word[10]; } prt_vo_packed;
+typedef struct prt_vo_packed_diffuse { uint32_t word[5]; } prt_vo_packed_diffuse;
+
+/* Packs and unpacks the occluders of one point at `position`; unit > 0 is a length of the scene's size (its radius): distances
+   from 6e-8 to 65504 units are held. out must not overlap the input.
+   Errors: PRT_ERR_COUNT; PRT_ERR_NULL; PRT_ERR_VALUE, before anything is written: unit not positive and finite; packing:
+   a number that is not finite, a colour outside 0 ... 1, a factor below 0 or above 65504, a distance above 65504 units.
+   Cost: 0.3 us an occluder to pack. */
+PRTDEF prt_result prt_vo_pack          (prt_real unit, prt_vec3 position, int count, const prt_vo_occluder *occluders,
+                                        prt_vo_packed *out);
+PRTDEF prt_result prt_vo_pack_diffuse  (prt_real unit, prt_vec3 position, int count, const prt_vo_occluder *occluders,
+                                        prt_vo_packed_diffuse *out);
+PRTDEF prt_result prt_vo_unpack        (prt_real unit, prt_vec3 position, int count, const prt_vo_packed *packed,
+                                        prt_vo_occluder *out);
+PRTDEF prt_result prt_vo_unpack_diffuse(prt_real unit, prt_vec3 position, int count, const prt_vo_packed_diffuse *packed,
+                                        prt_vo_occluder *out);
+
+/* prt_vo_shade_n from packed occluders, as if they were unpacked first. The second form holds nothing for caustics, DS and
+   SS: they are off whatever params says. Errors beside those of prt_vo_shade_n: PRT_ERR_VALUE (unit). */
+PRTDEF prt_result prt_vo_shade_packed_n(const prt_vo_params *params, prt_real unit, int count, const prt_vo_point *points,
+                                        prt_vec3 eye, const int *first, const prt_vo_packed *packed,
+                                        int light_count, const prt_point_light *lights, prt_rgb *out);
+PRTDEF prt_result prt_vo_shade_packed_diffuse_n(const prt_vo_params *params, prt_real unit, int count,
+                                                const prt_vo_point *points, prt_vec3 eye, const int *first,
+                                                const prt_vo_packed_diffuse *packed, int light_count,
+                                                const prt_point_light *lights, prt_rgb *out);
+
+/* One train of plane waves [Sherif 2013, 7.3.2 and the shader of A.2]. */
+typedef struct prt_vo_wave {
+    prt_vec3 along, across;            /* unit, at right angles: where it runs, and where it pushes to */
+    prt_real amplitude, frequency;     /* frequency: radians in a unit of time, and a factor of the slope */
+    prt_real phase;                    /* radians, added to along.position */
+} prt_vo_wave;
+
+/* Bends occlusion and caustic vectors as under moving water: for each wave in turn they are turned about cross(along,
+   across) by atan(frequency amplitude cos(frequency time + along.position + phase)). Lengths stay, and so does all else.
+   occluders[count] are those of the point at `position`; out[count] may be the same array.
+   Errors: PRT_ERR_COUNT; PRT_ERR_NULL; PRT_ERR_VALUE (time, position or a wave not finite, an axis or the cross product of
+   two that differs from length 1 by more than 1e-3), before anything is written. Occluders are not checked.
+   Cost: a cosine, a root and 20 operations a wave, and 30 a wave and occluder. Error: 2 eps a wave. */
+PRTDEF prt_result prt_vo_bend(int wave_count, const prt_vo_wave *waves, prt_real time, prt_vec3 position,
+                              int count, const prt_vo_occluder *occluders, prt_vo_occluder *out);
 
 /* --------------------------------------------------------------------------------------------- >>reference ---- */
 
@@ -5706,141 +5765,7 @@ PRT__STATIC prt_real prt__vo_gloss(const prt__vo_law *law, prt_real x) {
     }
 }
 
-/* An occluder as one point sees it: everything that does not depend on the light. */
-typedef struct prt__vo_seen {
-    prt_vec3 position, occlusion, caustic, dd_dir, ds_dir, ss_dir;
-    prt_real block, focus;             /* exponents, 0: no such effect */
-    prt_real cap_chord;                /* of the cap that stands for the occluder */
-    prt_rgb transmissive, dd, ds, ss;  /* the colours that the terms carry */
-} prt__vo_seen;
-
-/* Chord of the angle a between the axis and the rim of a cap with form factor F: sin^2 a = F/cosine, at most 1. */
-PRT__INLINE prt_real prt__cap_chord(prt_real f, prt_real cosine) {
-    prt_real sin2 = f < cosine ? f / cosine : 1;
-    return prt__sqrt(2 * sin2 / (1 + prt__sqrt(1 - sin2)));
-}
-
-PRT__STATIC void prt__vo_see(const prt__vo_law *law, const prt_vo_point *p, prt_vec3 mirror, const prt_vo_occluder *o,
-                             prt__vo_seen *s) {
-    prt_vec3 v = prt__towards(p->position, o->position), n;
-    prt_real length, specular, lined_up;
-    s->position = o->position;
-    s->occlusion = prt__direction(o->occlusion, &length);
-    s->block = (law->off & PRT_VO_NO_SHADOW) || !(length > 0) ? 0 : prt__above0(o->form_factor);
-    s->cap_chord = prt__cap_chord(s->block, prt__bounded_dot(p->normal, s->occlusion));
-    if (!law->cap) s->block = prt__bounded(prt__above0(s->block * law->shadow));
-    s->caustic = prt__direction(o->caustic, &length);
-    s->focus = (law->off & PRT_VO_NO_CAUSTIC) || !(length > 0) ? 0
-             : prt__bounded(prt__above0(law->caustic * prt__above0(o->caustic_factor)));
-    s->transmissive = o->transmissive;
-    s->dd_dir = o->diffuse_normal;
-    s->dd = prt__rgb_scaled(prt__rgb_times(o->diffuse, p->diffuse), law->off & PRT_VO_NO_DD ? 0 : law->dd);
-    n = prt__direction(o->specular_normal, &specular);
-    s->ds_dir = prt__reflect(v, n);
-    s->ds = prt__rgb_scaled(prt__rgb_times(o->specular, p->diffuse), law->off & PRT_VO_NO_DS ? 0 : law->ds);
-    s->ds = prt__rgb_scaled(s->ds, specular);
-    s->ss_dir = prt__reflect(mirror, n);
-    lined_up = prt__bounded_dot(p->normal, v) > 0 ? prt__above0(prt__bounded_dot(mirror, v)) : 0;
-    s->ss = prt__rgb_scaled(prt__rgb_times(o->specular, p->specular), law->off & PRT_VO_NO_SS ? 0 : law->ss);
-    s->ss = prt__rgb_scaled(prt__rgb_scaled(s->ss, specular), lined_up);
-}
-
-/* sin^2 of the angle between unit vectors, 1 from 90 degrees on. */
-PRT__INLINE prt_real prt__vo_sin2(prt_vec3 d, prt_vec3 l) {
-    prt_real x = d.y * l.z - d.z * l.y, y = d.z * l.x - d.x * l.z, z = d.x * l.y - d.y * l.x, s = x * x + y * y + z * z;
-    return prt__dot3(d, l) > 0 && s < 1 ? s : 1;
-}
-
-/* Share of the smaller of two discs that lies behind the other, by how deep they are in each other, u = 0 outside ... 1 inside,
-   and by the ratio of their radii: the step [Oat 2007] uses, and a correction fitted to the area of the lens, within 0.023. */
-#define PRT__LENS_STEP(u, ratio) ((u) * (u) * (3 - (u) - (u)) + \
-    (u) * (1 - (u)) * ((1 - (u) - (u)) * (1 - (ratio)) * PRT__R(0.2) - (u) * (u) * (ratio) * PRT__R(1.4)))
-
-/* Share of a disc of radius `light` that a disc of radius `cap` leaves open, centres `apart`. */
-PRT__INLINE prt_real prt__vo_cap_open(prt_real cap, prt_real light, prt_real apart) {
-    prt_real least = cap < light ? cap : light, most = cap < light ? light : cap, u, share;
-    if (!(least > 0)) return 1;
-    u = (cap + light - apart) / (2 * least);
-    u = u > 0 ? u < 1 ? u : 1 : 0;
-    share = least / light;
-    return 1 - share * share * PRT__LENS_STEP(u, least / most);
-}
-
-PRT__INLINE prt_real prt__vo_block(const prt__vo_law *law, const prt__vo_seen *s, prt_vec3 l) {
-    if (!(s->block > 0)) return 1;
-    if (law->cap) {
-        prt_vec3 apart = prt__vec3(s->occlusion.x - l.x, s->occlusion.y - l.y, s->occlusion.z - l.z);
-        return prt__vo_cap_open(s->cap_chord, law->light_chord, prt__sqrt(prt__dot3(apart, apart)));
-    }
-    return prt__pow(prt__vo_sin2(s->occlusion, l), s->block);
-}
-
-PRT__INLINE prt_real prt__vo_focus(const prt__vo_law *law, const prt__vo_seen *s, prt_vec3 l) {
-    prt_real sin2 = prt__vo_sin2(s->caustic, l);
-    if (!(s->focus > 0)) return 1;
-    return prt__bounded(prt__pow(sin2 > law->least ? sin2 : law->least, -s->focus));
-}
-
-PRT__INLINE prt_real prt__vo_pass(prt_real transmissive, prt_real block, prt_real focus) {
-    return prt__bounded(prt__bounded((1 - transmissive) * block) + prt__bounded(transmissive * focus));
-}
-
-/* What the occluder sends to the point of the light, DD + DS + SS. */
-PRT__STATIC prt_rgb prt__vo_sent(const prt__vo_law *law, const prt__vo_seen *s, prt_vec3 light) {
-    prt_vec3 l = prt__towards(s->position, light);
-    prt_rgb sum = prt__rgb_scaled(s->dd, prt__above0(prt__bounded_dot(s->dd_dir, l)));
-    if (!(law->off & PRT_VO_NO_DS))
-        sum = prt__rgb_plus(sum, prt__rgb_scaled(s->ds, prt__vo_gloss(law, prt__above0(prt__bounded_dot(s->ds_dir, l)))));
-    if (!(law->off & PRT_VO_NO_SS))
-        sum = prt__rgb_plus(sum, prt__rgb_scaled(s->ss, prt__vo_gloss(law, prt__above0(prt__bounded_dot(s->ss_dir, l)))));
-    return sum;
-}
-
-/* Lights worked on together, so that an occluder is prepared once for so many. */
-enum { PRT__VO_LIGHTS = 8 };
-enum { PRT__VO_SENDS = PRT_VO_NO_DD | PRT_VO_NO_DS | PRT_VO_NO_SS };
-
-/* Adds what some lights send to the point, directly and by way of the occluders. */
-PRT__STATIC void prt__vo_add_lights(const prt__vo_law *law, const prt_vo_point *p, prt_vec3 mirror, int occluder_count,
-                                    const prt_vo_occluder *occluders, int light_count, const prt_point_light *lights,
-                                    prt_rgb *sum) {
-    prt_vec3 l[PRT__VO_LIGHTS];
-    prt_rgb direct[PRT__VO_LIGHTS];
-    int j, k;
-    for (j = 0; j < light_count; j++) {
-        l[j] = prt__towards(p->position, lights[j].position);
-        direct[j] = prt__rgb_scaled(p->specular, prt__bounded(prt__pow(prt__above0(prt__bounded_dot(mirror, l[j])),
-                                                                       prt__above0(p->shininess))));
-        direct[j] = prt__rgb_plus(direct[j], prt__rgb_scaled(p->diffuse, prt__above0(prt__bounded_dot(p->normal, l[j]))));
-    }
-    for (k = 0; k < occluder_count; k++) {
-        prt__vo_seen s;
-        prt__vo_see(law, p, mirror, &occluders[k], &s);
-        for (j = 0; j < light_count; j++) {
-            prt_real block = prt__vo_block(law, &s, l[j]), focus = prt__vo_focus(law, &s, l[j]);
-            direct[j].r = prt__bounded(direct[j].r * prt__vo_pass(s.transmissive.r, block, focus));
-            direct[j].g = prt__bounded(direct[j].g * prt__vo_pass(s.transmissive.g, block, focus));
-            direct[j].b = prt__bounded(direct[j].b * prt__vo_pass(s.transmissive.b, block, focus));
-            if ((law->off & PRT__VO_SENDS) == PRT__VO_SENDS) continue;
-            *sum = prt__rgb_plus(*sum, prt__rgb_times(lights[j].color, prt__vo_sent(law, &s, lights[j].position)));
-        }
-    }
-    for (j = 0; j < light_count; j++) *sum = prt__rgb_plus(*sum, prt__rgb_times(lights[j].color, direct[j]));
-}
-
-PRT__STATIC prt_rgb prt__vo_shade(const prt__vo_law *law, const prt_vo_point *p, prt_vec3 eye, int occluder_count,
-                                  const prt_vo_occluder *occluders, int light_count, const prt_point_light *lights) {
-    prt_vec3 mirror = prt__reflect(prt__towards(eye, p->position), p->normal);
-    prt_rgb sum = p->emissive;
-    int j;
-    for (j = 0; j < light_count; j += PRT__VO_LIGHTS)
-        prt__vo_add_lights(law, p, mirror, occluder_count, occluders,
-                           light_count - j < PRT__VO_LIGHTS ? light_count - j : (int)PRT__VO_LIGHTS, lights + j, &sum);
-    sum.r = prt__above0(sum.r); sum.g = prt__above0(sum.g); sum.b = prt__above0(sum.b);
-    return sum;
-}
-
-/* ---- the same for PRT__LANES points at once ---- */
+/* ---- vectors of numbers ---- */
 
 /* The bits of a prt__vec: as prt__chosen for masks, where a comparison gives -1 or 0 in each lane; unsigned for exponents,
    sums of which may wrap where the value makes no sense. */
@@ -5965,7 +5890,7 @@ PRT__INLINE void prt__lanes_load(const prt_real *const *rows, int fields, prt__v
     }
 }
 
-enum { PRT__VO_FIELDS = 26, PRT__VO_POINT_FIELDS = 16 };
+enum { PRT__VO_FIELDS = 26, PRT__VO_POINT_FIELDS = 16, PRT__VO_WORDS = 10, PRT__VO_WORDS_DIFFUSE = 5 };
 typedef char prt__vo_occluder_is_reals[sizeof(prt_vo_occluder) == PRT__VO_FIELDS * sizeof(prt_real) ? 1 : -1];
 typedef char prt__vo_point_is_reals[sizeof(prt_vo_point) == PRT__VO_POINT_FIELDS * sizeof(prt_real) ? 1 : -1];
 
@@ -5984,6 +5909,353 @@ typedef struct prt__vo_seen_lanes {
 /* What PRT__VO_LIGHTS lights send straight to the points: direction, product of the factors of translucent occluders, and
    the logarithm of that of opaque ones. */
 typedef struct prt__vo_light_lanes { prt__vec l[3], factor[3], log_block; } prt__vo_light_lanes;
+
+/* The zero occluder, for lanes whose point sees fewer than others; a point without anything, for lanes past the last. */
+static const prt_vo_occluder prt__vo_none = { { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 },
+                                              { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 }, 0, 0 };
+static const prt_vo_point prt__vo_nowhere = { { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 }, 0 };
+static const uint32_t prt__vo_packed_none[PRT__VO_WORDS] = { 0 };
+
+/* ---- packed occluders ---- */
+
+/* All ones where n is not 0. */
+PRT__INLINE prt__chosen prt__bits_any(prt__bits n) {
+#if PRT__SIMD
+    return (prt__chosen)(n != 0);
+#else
+    return -(prt__chosen)(n != 0);
+#endif
+}
+PRT__INLINE prt__vec prt__vec_of_count(prt__bits n) { return prt__vec_of_whole(n, prt__bits_any(n)); }
+
+/* Half floats, in the low 16 bits: the exponent is moved by a product, which serves subnormal numbers too. */
+PRT__INLINE prt__vec prt__vec_of_half(prt__bits h) {
+#ifdef PRT_DOUBLE
+    return prt__vec_of_bits(((h & 0x7fffu) << 42) | ((h & 0x8000u) << 48)) * 2.74306203439684434063e303;     /* 2^1008 */
+#else
+    return prt__vec_of_bits(((h & 0x7fffu) << 13) | ((h & 0x8000u) << 16)) * 5192296858534827628530496329220096.0f;
+#endif
+}
+
+/* A unit vector from octahedral coordinates -steps ... steps, times length; zero where length is not above 0. */
+PRT__INLINE void prt__vo_lanes_unfold(prt__vec x, prt__vec y, prt_real steps, prt__vec length, prt__vec *out) {
+    prt__vec zero = prt__vec_set(0), one = prt__vec_set(1), ax, ay, below, scale;
+    x *= 1 / steps; y *= 1 / steps;
+    ax = PRT__SELECT(x < zero, zero - x, x); ay = PRT__SELECT(y < zero, zero - y, y);
+    out[2] = one - ax - ay;
+    below = prt__vec_above0(zero - out[2]);
+    out[0] = PRT__SELECT(x < zero, x + below, x - below);
+    out[1] = PRT__SELECT(y < zero, y + below, y - below);
+    scale = prt__vec_inverse_root(prt__vec_dot3(out, out)) * prt__vec_above0(length);
+    out[0] *= scale; out[1] *= scale; out[2] *= scale;
+}
+PRT__INLINE void prt__vo_lanes_unfold16(prt__bits word, prt__vec factor, prt__vec *out) {
+    prt__vec length = prt__vec_masked(prt__vec_less(prt__vec_set(0), factor), prt__vec_set(1));
+    prt__vo_lanes_unfold(prt__vec_of_count((word & 0xffffu) ^ 0x8000u) - PRT__R(32768),
+                         prt__vec_of_count(((word >> 16) & 0xffffu) ^ 0x8000u) - PRT__R(32768), 32767, length, out);
+}
+PRT__INLINE void prt__vo_lanes_unfold12(prt__bits word, prt__vec length, prt__vec *out) {
+    prt__vo_lanes_unfold(prt__vec_of_count(word & 0xfffu) - PRT__R(2048),
+                         prt__vec_of_count((word >> 12) & 0xfffu) - PRT__R(2048), 2047, length, out);
+}
+PRT__INLINE prt__vec prt__vo_lanes_color(prt__bits word, int shift) {
+    prt__vec root = prt__vec_of_count((word >> shift) & 0xffu) * PRT__R(1 / 255.0);
+    return root * root;
+}
+
+/* Rows of words, one to each lane, of points at position. */
+PRT__INLINE void prt__vo_lanes_unpack(const uint32_t *const *rows, int words, prt_real unit, const prt__vec *position,
+                                      prt__vo_seen_lanes *o) {
+#ifdef PRT_DOUBLE
+    uint64_t lanes[PRT__VO_WORDS][PRT__LANES];
+#else
+    uint32_t lanes[PRT__VO_WORDS][PRT__LANES];
+#endif
+    prt__bits w[PRT__VO_WORDS];
+    int lane, k;
+    for (lane = 0; lane < PRT__LANES; lane++) for (k = 0; k < words; k++) lanes[k][lane] = rows[lane][k];
+    memset(o, 0, sizeof *o);
+    memcpy(w, lanes, (size_t)words * sizeof *w);
+    o->position[0] = prt__vec_of_half(w[0] & 0xffffu) * unit + position[0];
+    o->position[1] = prt__vec_of_half((w[0] >> 16) & 0xffffu) * unit + position[1];
+    o->position[2] = prt__vec_of_half(w[1] & 0xffffu) * unit + position[2];
+    o->form_factor = prt__vec_of_half((w[1] >> 16) & 0xffffu);
+    prt__vo_lanes_unfold16(w[2], o->form_factor, o->occlusion);
+    prt__vo_lanes_unfold12(w[3], prt__vec_of_half(w[4] & 0xffffu), o->diffuse_normal);
+    o->diffuse[0] = prt__vo_lanes_color(w[3], 24);
+    o->diffuse[1] = prt__vo_lanes_color(w[4], 16);
+    o->diffuse[2] = prt__vo_lanes_color(w[4], 24);
+    if (words < PRT__VO_WORDS) return;
+    o->caustic_factor = prt__vec_of_half(w[6] & 0xffffu);
+    prt__vo_lanes_unfold16(w[5], o->caustic_factor, o->caustic);
+    prt__vo_lanes_unfold12(w[7], prt__vec_of_half((w[6] >> 16) & 0xffffu), o->specular_normal);
+    o->specular[0] = prt__vo_lanes_color(w[7], 24);
+    o->specular[1] = prt__vo_lanes_color(w[8], 0);
+    o->specular[2] = prt__vo_lanes_color(w[8], 8);
+    o->transmissive[0] = prt__vo_lanes_color(w[8], 16);
+    o->transmissive[1] = prt__vo_lanes_color(w[8], 24);
+    o->transmissive[2] = prt__vo_lanes_color(w[9], 0);
+}
+
+/* `count` rows of packed occluders of one point. */
+PRT__STATIC void prt__vo_unpack_rows(prt_real unit, prt_vec3 at, int count, const uint32_t *packed, int words,
+                                     prt_vo_occluder *out) {
+    prt__vec position[3];
+    int k, lane, i;
+    position[0] = prt__vec_set(at.x); position[1] = prt__vec_set(at.y); position[2] = prt__vec_set(at.z);
+    for (k = 0; k < count; k += PRT__LANES) {
+        const uint32_t *rows[PRT__LANES];
+        prt_real fields[PRT__VO_FIELDS][PRT__LANES];
+        prt__vo_seen_lanes o;
+        for (lane = 0; lane < PRT__LANES; lane++)
+            rows[lane] = k + lane < count ? packed + (size_t)(k + lane) * (size_t)words : prt__vo_packed_none;
+        prt__vo_lanes_unpack(rows, words, unit, position, &o);
+        memcpy(fields, &o, sizeof fields);
+        for (lane = 0; lane < PRT__LANES && k + lane < count; lane++)
+            for (i = 0; i < PRT__VO_FIELDS; i++) (&out[k + lane].position.x)[i] = fields[i][lane];
+    }
+}
+
+/* The nearest half float, ties to even; the caller has checked |v| <= 65504. */
+PRT__STATIC uint32_t prt__half_of(double v) {
+    double size = fabs(v), unit = 1.0 / 16777216, steps;       /* 2^-24: the least, and the step of subnormal ones */
+    uint32_t below = 0;
+    for (; size >= 2048 * unit; unit *= 2) below += 0x400u;
+    steps = floor(size / unit);
+    size = size / unit - steps;
+    if (size > 0.5 || (size >= 0.5 && fmod(steps, 2) > 0.5)) steps++;
+    return (v < 0 ? 0x8000u : 0) | (below + (uint32_t)steps);
+}
+PRT__STATIC uint32_t prt__byte_of(prt_real color) { return (uint32_t)(sqrt((double)color) * 255 + 0.5); }
+
+PRT__STATIC double prt__length3(prt_vec3 v) {                  /* NaN and infinity stay */
+    double x = fabs((double)v.x), y = fabs((double)v.y), z = fabs((double)v.z), most = x > y ? x : y;
+    most = z > most ? z : most;
+    return most > 0 ? most * sqrt(x / most * (x / most) + y / most * (y / most) + z / most * (z / most)) : x + y + z;
+}
+
+/* Octahedral coordinates of v, whole numbers from -steps to steps. */
+PRT__STATIC void prt__fold(prt_vec3 v, double steps, int out[2]) {
+    double length = prt__length3(v), x, y, z, size, u, w;
+    out[0] = out[1] = 0;
+    if (!(length > 0)) return;
+    x = (double)v.x / length; y = (double)v.y / length; z = (double)v.z / length;
+    size = fabs(x) + fabs(y) + fabs(z);
+    u = x / size; w = y / size;
+    if (z < 0) {
+        u = (1 - fabs(y) / size) * (x < 0 ? -1 : 1);
+        w = (1 - fabs(x) / size) * (y < 0 ? -1 : 1);
+    }
+    out[0] = (int)floor(u * steps + 0.5);
+    out[1] = (int)floor(w * steps + 0.5);
+}
+PRT__STATIC uint32_t prt__fold16(prt_vec3 v) {
+    int at[2];
+    prt__fold(v, 32767, at);
+    return ((uint32_t)at[0] & 0xffffu) | ((uint32_t)at[1] & 0xffffu) << 16;
+}
+PRT__STATIC uint32_t prt__fold12(prt_vec3 v) {
+    int at[2];
+    prt__fold(v, 2047, at);
+    return (uint32_t)(at[0] + 2048) | (uint32_t)(at[1] + 2048) << 12;
+}
+
+PRT__INLINE int prt__half_holds(double v) { return fabs(v) <= 65504; }         /* false for NaN */
+PRT__INLINE int prt__byte_holds(prt_rgb c) {
+    return c.r >= 0 && c.r <= 1 && c.g >= 0 && c.g <= 1 && c.b >= 0 && c.b <= 1;
+}
+
+/* Whether it can be packed; the words, where out is not NULL. */
+PRT__STATIC int prt__vo_pack_one(double unit, prt_vec3 at, const prt_vo_occluder *o, int words, uint32_t *out) {
+    double x = (double)o->position.x / unit - (double)at.x / unit, y = (double)o->position.y / unit - (double)at.y / unit;
+    double z = (double)o->position.z / unit - (double)at.z / unit, f = (double)o->form_factor;
+    double diffuse = prt__length3(o->diffuse_normal), specular = prt__length3(o->specular_normal);
+    double focus = (double)o->caustic_factor;
+    if (!prt__half_holds(x) || !prt__half_holds(y) || !prt__half_holds(z) || !prt__half_holds(f) || f < 0) return 0;
+    if (!prt__half_holds(diffuse) || !prt__byte_holds(o->diffuse) || !prt__finite3(o->occlusion)) return 0;
+    if (words > PRT__VO_WORDS_DIFFUSE &&
+        (!prt__half_holds(focus) || focus < 0 || !prt__half_holds(specular) || !prt__byte_holds(o->specular) ||
+         !prt__byte_holds(o->transmissive) || !prt__finite3(o->caustic))) return 0;
+    if (!out) return 1;
+    if (!(prt__length3(o->occlusion) > 0)) f = 0;
+    if (!(prt__length3(o->caustic) > 0)) focus = 0;
+    out[0] = prt__half_of(x) | prt__half_of(y) << 16;
+    out[1] = prt__half_of(z) | prt__half_of(f) << 16;
+    out[2] = prt__fold16(o->occlusion);
+    out[3] = prt__fold12(o->diffuse_normal) | prt__byte_of(o->diffuse.r) << 24;
+    out[4] = prt__half_of(diffuse) | prt__byte_of(o->diffuse.g) << 16 | prt__byte_of(o->diffuse.b) << 24;
+    if (words == PRT__VO_WORDS_DIFFUSE) return 1;
+    out[5] = prt__fold16(o->caustic);
+    out[6] = prt__half_of(focus) | prt__half_of(specular) << 16;
+    out[7] = prt__fold12(o->specular_normal) | prt__byte_of(o->specular.r) << 24;
+    out[8] = prt__byte_of(o->specular.g) | prt__byte_of(o->specular.b) << 8 | prt__byte_of(o->transmissive.r) << 16 |
+             prt__byte_of(o->transmissive.g) << 24;
+    out[9] = prt__byte_of(o->transmissive.b);
+    return 1;
+}
+
+/* ---- one point ---- */
+
+/* Points and where their occluders stand: what prt_vo_shade_n and its kin were given. Packed occluders are rows of `words`
+   words; words 0: occluders are plain. */
+typedef struct prt__vo_batch {
+    prt__vo_law law;
+    const prt_vo_point *points;
+    const int *first;
+    const prt_vo_occluder *occluders;
+    const uint32_t *packed;
+    int words;
+    prt_real unit;
+    prt_vec3 eye;
+    int light_count;
+    const prt_point_light *lights;
+} prt__vo_batch;
+
+/* Occluder number `at` of the point; out is where one that is packed is unpacked. */
+PRT__INLINE const prt_vo_occluder *prt__vo_occluder_at(const prt__vo_batch *b, const prt_vo_point *p, int at,
+                                                       prt_vo_occluder *out) {
+    if (b->words == 0) return b->occluders + at;
+    prt__vo_unpack_rows(b->unit, p->position, 1, b->packed + (size_t)at * (size_t)b->words, b->words, out);
+    return out;
+}
+
+/* An occluder as one point sees it: everything that does not depend on the light. */
+typedef struct prt__vo_seen {
+    prt_vec3 position, occlusion, caustic, dd_dir, ds_dir, ss_dir;
+    prt_real block, focus;             /* exponents, 0: no such effect */
+    prt_real cap_chord;                /* of the cap that stands for the occluder */
+    prt_rgb transmissive, dd, ds, ss;  /* the colours that the terms carry */
+} prt__vo_seen;
+
+/* Chord of the angle a between the axis and the rim of a cap with form factor F: sin^2 a = F/cosine, at most 1. */
+PRT__INLINE prt_real prt__cap_chord(prt_real f, prt_real cosine) {
+    prt_real sin2 = f < cosine ? f / cosine : 1;
+    return prt__sqrt(2 * sin2 / (1 + prt__sqrt(1 - sin2)));
+}
+
+PRT__STATIC void prt__vo_see(const prt__vo_law *law, const prt_vo_point *p, prt_vec3 mirror, const prt_vo_occluder *o,
+                             prt__vo_seen *s) {
+    prt_vec3 v = prt__towards(p->position, o->position), n;
+    prt_real length, specular, lined_up;
+    s->position = o->position;
+    s->occlusion = prt__direction(o->occlusion, &length);
+    s->block = (law->off & PRT_VO_NO_SHADOW) || !(length > 0) ? 0 : prt__above0(o->form_factor);
+    s->cap_chord = prt__cap_chord(s->block, prt__bounded_dot(p->normal, s->occlusion));
+    if (!law->cap) s->block = prt__bounded(prt__above0(s->block * law->shadow));
+    s->caustic = prt__direction(o->caustic, &length);
+    s->focus = (law->off & PRT_VO_NO_CAUSTIC) || !(length > 0) ? 0
+             : prt__bounded(prt__above0(law->caustic * prt__above0(o->caustic_factor)));
+    s->transmissive = o->transmissive;
+    s->dd_dir = o->diffuse_normal;
+    s->dd = prt__rgb_scaled(prt__rgb_times(o->diffuse, p->diffuse), law->off & PRT_VO_NO_DD ? 0 : law->dd);
+    n = prt__direction(o->specular_normal, &specular);
+    s->ds_dir = prt__reflect(v, n);
+    s->ds = prt__rgb_scaled(prt__rgb_times(o->specular, p->diffuse), law->off & PRT_VO_NO_DS ? 0 : law->ds);
+    s->ds = prt__rgb_scaled(s->ds, specular);
+    s->ss_dir = prt__reflect(mirror, n);
+    lined_up = prt__bounded_dot(p->normal, v) > 0 ? prt__above0(prt__bounded_dot(mirror, v)) : 0;
+    s->ss = prt__rgb_scaled(prt__rgb_times(o->specular, p->specular), law->off & PRT_VO_NO_SS ? 0 : law->ss);
+    s->ss = prt__rgb_scaled(prt__rgb_scaled(s->ss, specular), lined_up);
+}
+
+/* sin^2 of the angle between unit vectors, 1 from 90 degrees on. */
+PRT__INLINE prt_real prt__vo_sin2(prt_vec3 d, prt_vec3 l) {
+    prt_real x = d.y * l.z - d.z * l.y, y = d.z * l.x - d.x * l.z, z = d.x * l.y - d.y * l.x, s = x * x + y * y + z * z;
+    return prt__dot3(d, l) > 0 && s < 1 ? s : 1;
+}
+
+/* Share of the smaller of two discs that lies behind the other, by how deep they are in each other, u = 0 outside ... 1 inside,
+   and by the ratio of their radii: the step [Oat 2007] uses, and a correction fitted to the area of the lens, within 0.023. */
+#define PRT__LENS_STEP(u, ratio) ((u) * (u) * (3 - (u) - (u)) + \
+    (u) * (1 - (u)) * ((1 - (u) - (u)) * (1 - (ratio)) * PRT__R(0.2) - (u) * (u) * (ratio) * PRT__R(1.4)))
+
+/* Share of a disc of radius `light` that a disc of radius `cap` leaves open, centres `apart`. */
+PRT__INLINE prt_real prt__vo_cap_open(prt_real cap, prt_real light, prt_real apart) {
+    prt_real least = cap < light ? cap : light, most = cap < light ? light : cap, u, share;
+    if (!(least > 0)) return 1;
+    u = (cap + light - apart) / (2 * least);
+    u = u > 0 ? u < 1 ? u : 1 : 0;
+    share = least / light;
+    return 1 - share * share * PRT__LENS_STEP(u, least / most);
+}
+
+PRT__INLINE prt_real prt__vo_block(const prt__vo_law *law, const prt__vo_seen *s, prt_vec3 l) {
+    if (!(s->block > 0)) return 1;
+    if (law->cap) {
+        prt_vec3 apart = prt__vec3(s->occlusion.x - l.x, s->occlusion.y - l.y, s->occlusion.z - l.z);
+        return prt__vo_cap_open(s->cap_chord, law->light_chord, prt__sqrt(prt__dot3(apart, apart)));
+    }
+    return prt__pow(prt__vo_sin2(s->occlusion, l), s->block);
+}
+
+PRT__INLINE prt_real prt__vo_focus(const prt__vo_law *law, const prt__vo_seen *s, prt_vec3 l) {
+    prt_real sin2 = prt__vo_sin2(s->caustic, l);
+    if (!(s->focus > 0)) return 1;
+    return prt__bounded(prt__pow(sin2 > law->least ? sin2 : law->least, -s->focus));
+}
+
+PRT__INLINE prt_real prt__vo_pass(prt_real transmissive, prt_real block, prt_real focus) {
+    return prt__bounded(prt__bounded((1 - transmissive) * block) + prt__bounded(transmissive * focus));
+}
+
+/* What the occluder sends to the point of the light, DD + DS + SS. */
+PRT__STATIC prt_rgb prt__vo_sent(const prt__vo_law *law, const prt__vo_seen *s, prt_vec3 light) {
+    prt_vec3 l = prt__towards(s->position, light);
+    prt_rgb sum = prt__rgb_scaled(s->dd, prt__above0(prt__bounded_dot(s->dd_dir, l)));
+    if (!(law->off & PRT_VO_NO_DS))
+        sum = prt__rgb_plus(sum, prt__rgb_scaled(s->ds, prt__vo_gloss(law, prt__above0(prt__bounded_dot(s->ds_dir, l)))));
+    if (!(law->off & PRT_VO_NO_SS))
+        sum = prt__rgb_plus(sum, prt__rgb_scaled(s->ss, prt__vo_gloss(law, prt__above0(prt__bounded_dot(s->ss_dir, l)))));
+    return sum;
+}
+
+/* Lights worked on together, so that an occluder is prepared once for so many. */
+enum { PRT__VO_LIGHTS = 8 };
+enum { PRT__VO_SENDS = PRT_VO_NO_DD | PRT_VO_NO_DS | PRT_VO_NO_SS };
+
+/* Adds what some lights send to the point, directly and by way of the occluders. */
+PRT__STATIC void prt__vo_add_lights(const prt__vo_batch *b, int point, prt_vec3 mirror, int light_count,
+                                    const prt_point_light *lights, prt_rgb *sum) {
+    const prt__vo_law *law = &b->law;
+    const prt_vo_point *p = &b->points[point];
+    prt_vec3 l[PRT__VO_LIGHTS];
+    prt_rgb direct[PRT__VO_LIGHTS];
+    int j, k;
+    for (j = 0; j < light_count; j++) {
+        l[j] = prt__towards(p->position, lights[j].position);
+        direct[j] = prt__rgb_scaled(p->specular, prt__bounded(prt__pow(prt__above0(prt__bounded_dot(mirror, l[j])),
+                                                                       prt__above0(p->shininess))));
+        direct[j] = prt__rgb_plus(direct[j], prt__rgb_scaled(p->diffuse, prt__above0(prt__bounded_dot(p->normal, l[j]))));
+    }
+    for (k = b->first[point]; k < b->first[point + 1]; k++) {
+        prt_vo_occluder unpacked;
+        prt__vo_seen s;
+        prt__vo_see(law, p, mirror, prt__vo_occluder_at(b, p, k, &unpacked), &s);
+        for (j = 0; j < light_count; j++) {
+            prt_real block = prt__vo_block(law, &s, l[j]), focus = prt__vo_focus(law, &s, l[j]);
+            direct[j].r = prt__bounded(direct[j].r * prt__vo_pass(s.transmissive.r, block, focus));
+            direct[j].g = prt__bounded(direct[j].g * prt__vo_pass(s.transmissive.g, block, focus));
+            direct[j].b = prt__bounded(direct[j].b * prt__vo_pass(s.transmissive.b, block, focus));
+            if ((law->off & PRT__VO_SENDS) == PRT__VO_SENDS) continue;
+            *sum = prt__rgb_plus(*sum, prt__rgb_times(lights[j].color, prt__vo_sent(law, &s, lights[j].position)));
+        }
+    }
+    for (j = 0; j < light_count; j++) *sum = prt__rgb_plus(*sum, prt__rgb_times(lights[j].color, direct[j]));
+}
+
+PRT__STATIC prt_rgb prt__vo_shade(const prt__vo_batch *b, int point) {
+    const prt_vo_point *p = &b->points[point];
+    prt_vec3 mirror = prt__reflect(prt__towards(b->eye, p->position), p->normal);
+    prt_rgb sum = p->emissive;
+    int j;
+    for (j = 0; j < b->light_count; j += PRT__VO_LIGHTS)
+        prt__vo_add_lights(b, point, mirror, b->light_count - j < PRT__VO_LIGHTS ? b->light_count - j : (int)PRT__VO_LIGHTS,
+                           b->lights + j, &sum);
+    sum.r = prt__above0(sum.r); sum.g = prt__above0(sum.g); sum.b = prt__above0(sum.b);
+    return sum;
+}
+
+/* ---- the same for PRT__LANES points at once ---- */
 
 PRT__INLINE void prt__vo_lanes_towards(const prt__vec *half_position, prt_vec3 to, prt__vec *out) {
     out[0] = PRT__R(0.5) * to.x - half_position[0];
@@ -6145,32 +6417,23 @@ PRT__INLINE void prt__vo_lanes_light(prt__vo_lanes *p, const prt_point_light *li
     d->l[0] = prt__vec_select(prt__vec_less(prt__vec_set(0), square), d->l[0], prt__vec_set(4));   /* on the point: no */
 }                                                                                      /* direction is within 90 degrees */
 
-/* The zero occluder, for lanes whose point sees fewer than others; a point without anything, for lanes past the last. */
-static const prt_vo_occluder prt__vo_none = { { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 },
-                                              { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 }, 0, 0 };
-static const prt_vo_point prt__vo_nowhere = { { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 }, 0 };
-
-/* Points and where their occluders stand: what prt_vo_shade_n was given. */
-typedef struct prt__vo_batch {
-    const prt__vo_law *law;
-    const prt_vo_point *points;
-    const int *first;
-    const prt_vo_occluder *occluders;
-    prt_vec3 eye;
-    int light_count;
-    const prt_point_light *lights;
-} prt__vo_batch;
-
-/* Number k of the occluders of points from ... from+count-1, one to a lane. */
-PRT__INLINE void prt__vo_lanes_fetch(const prt__vo_batch *b, int from, int count, int k, prt__vo_seen_lanes *o) {
+/* Occluder number k of each of the points from ... from+count-1. */
+PRT__INLINE void prt__vo_lanes_fetch(const prt__vo_batch *b, const prt__vo_lanes *p, int from, int count, int k,
+                                     prt__vo_seen_lanes *o) {
     const prt_real *rows[PRT__LANES];
+    const uint32_t *packed[PRT__LANES];
     prt__vec fields[PRT__VO_FIELDS];
-    int lane;
+    int lane, c;
     for (lane = 0; lane < PRT__LANES; lane++) {
-        const prt_vo_occluder *one = &prt__vo_none;
-        if (lane < count && k < b->first[from + lane + 1] - b->first[from + lane])
-            one = b->occluders + b->first[from + lane] + k;
-        rows[lane] = &one->position.x;
+        const int *first = b->first + from + lane;
+        int some = lane < count && k < first[1] - first[0];
+        rows[lane] = some && b->words == 0 ? &b->occluders[first[0] + k].position.x : &prt__vo_none.position.x;
+        packed[lane] = some && b->words ? b->packed + (size_t)(first[0] + k) * (size_t)b->words : prt__vo_packed_none;
+    }
+    if (b->words) {
+        for (c = 0; c < 3; c++) fields[c] = p->position[c] * PRT__R(2);
+        prt__vo_lanes_unpack(packed, b->words, b->unit, fields, o);
+        return;
     }
     prt__lanes_load(rows, PRT__VO_FIELDS, fields);
     memcpy(o, fields, sizeof fields);
@@ -6207,8 +6470,8 @@ PRT__STATIC void prt__vo_shade_lanes(const prt__vo_batch *b, int from, int count
         int lights = b->light_count - at < PRT__VO_LIGHTS ? b->light_count - at : (int)PRT__VO_LIGHTS;
         for (j = 0; j < lights; j++) prt__vo_lanes_light(&p, &b->lights[at + j], &direct[j]);
         for (k = 0; k < most; k++) {
-            prt__vo_lanes_fetch(b, from, count, k, &o);
-            prt__vo_lanes_occlude(b->law, &p, &o, lights, b->lights + at, direct);
+            prt__vo_lanes_fetch(b, &p, from, count, k, &o);
+            prt__vo_lanes_occlude(&b->law, &p, &o, lights, b->lights + at, direct);
         }
         for (j = 0; j < lights; j++) {
             prt__vec block = prt__vec_exp2(direct[j].log_block);
@@ -6220,40 +6483,168 @@ PRT__STATIC void prt__vo_shade_lanes(const prt__vo_batch *b, int from, int count
     for (c = 0; c < 3; c++) prt__vec_store(sum[c], p.sum[c]);
     prt__vec_store(squares, p.squares);
     for (k = 0; k < count; k++) {
-        const int *first = b->first + from + k;
         out[k].r = prt__above0(sum[0][k]); out[k].g = prt__above0(sum[1][k]); out[k].b = prt__above0(sum[2][k]);
-        if (prt__finite(sum[0][k] + sum[1][k] + sum[2][k] + squares[k])) continue;
-        out[k] = prt__vo_shade(b->law, &b->points[from + k], b->eye, first[1] - first[0],
-                               b->occluders ? b->occluders + first[0] : NULL, b->light_count, b->lights);
+        if (!prt__finite(sum[0][k] + sum[1][k] + sum[2][k] + squares[k])) out[k] = prt__vo_shade(b, from + k);
     }
+}
+
+/* The checks and the loop of all batched forms; b holds everything but the law. */
+PRT__STATIC prt_result prt__vo_shade_batch(const prt_vo_params *params, prt__vo_batch *b, int count, prt_rgb *out) {
+    int k;
+    if (count < 0 || b->light_count < 0) return PRT_ERR_COUNT;
+    if (!params || (count > 0 && (!b->points || !b->first || !out)) || (b->light_count > 0 && !b->lights))
+        return PRT_ERR_NULL;
+    for (k = 0; k < count; k++) if (b->first[k] < 0 || b->first[k + 1] < b->first[k]) return PRT_ERR_COUNT;
+    if (count > 0 && b->first[count] > b->first[0] && !(b->words ? (const void *)b->packed : b->occluders)) return PRT_ERR_NULL;
+    if (b->words && !(b->unit > 0 && prt__finite(b->unit))) return PRT_ERR_VALUE;
+    b->law = prt__vo_law_of(params);
+    if (b->words == PRT__VO_WORDS_DIFFUSE) b->law.off |= PRT_VO_NO_CAUSTIC | PRT_VO_NO_DS | PRT_VO_NO_SS;
+    for (k = 0; k < count; k += PRT__LANES)
+        prt__vo_shade_lanes(b, k, count - k < PRT__LANES ? count - k : PRT__LANES, out + k);
+    return PRT_OK;
+}
+
+PRT__STATIC prt__vo_batch prt__vo_batch_of(const prt_vo_point *points, prt_vec3 eye, const int *first, int light_count,
+                                           const prt_point_light *lights) {
+    prt__vo_batch b;
+    memset(&b, 0, sizeof b);
+    b.points = points;
+    b.eye = eye;
+    b.first = first;
+    b.light_count = light_count;
+    b.lights = lights;
+    return b;
 }
 
 PRTDEF prt_result prt_vo_shade(const prt_vo_params *params, const prt_vo_point *point, prt_vec3 eye,
                                int occluder_count, const prt_vo_occluder *occluders,
                                int light_count, const prt_point_light *lights, prt_rgb *out) {
-    prt__vo_law law;
+    prt__vo_batch b;
+    int first[2];
     if (occluder_count < 0 || light_count < 0) return PRT_ERR_COUNT;
     if (!params || !point || !out || (occluder_count > 0 && !occluders) || (light_count > 0 && !lights)) return PRT_ERR_NULL;
-    law = prt__vo_law_of(params);
-    *out = prt__vo_shade(&law, point, eye, occluder_count, occluders, light_count, lights);
+    first[0] = 0; first[1] = occluder_count;
+    b = prt__vo_batch_of(point, eye, first, light_count, lights);
+    b.law = prt__vo_law_of(params);
+    b.occluders = occluders;
+    *out = prt__vo_shade(&b, 0);
     return PRT_OK;
 }
 
 PRTDEF prt_result prt_vo_shade_n(const prt_vo_params *params, int count, const prt_vo_point *points, prt_vec3 eye,
                                  const int *first, const prt_vo_occluder *occluders,
                                  int light_count, const prt_point_light *lights, prt_rgb *out) {
-    prt__vo_law law;
-    prt__vo_batch batch;
+    prt__vo_batch b = prt__vo_batch_of(points, eye, first, light_count, lights);
+    b.occluders = occluders;
+    return prt__vo_shade_batch(params, &b, count, out);
+}
+
+PRT__STATIC prt_result prt__vo_pack(prt_real unit, prt_vec3 at, int count, const prt_vo_occluder *occluders, int words,
+                                    uint32_t *out) {
     int k;
-    if (count < 0 || light_count < 0) return PRT_ERR_COUNT;
-    if (!params || (count > 0 && (!points || !first || !out)) || (light_count > 0 && !lights)) return PRT_ERR_NULL;
-    for (k = 0; k < count; k++) if (first[k] < 0 || first[k + 1] < first[k]) return PRT_ERR_COUNT;
-    if (count > 0 && first[count] > first[0] && !occluders) return PRT_ERR_NULL;
-    law = prt__vo_law_of(params);
-    batch.law = &law; batch.points = points; batch.first = first; batch.occluders = occluders; batch.eye = eye;
-    batch.light_count = light_count; batch.lights = lights;
-    for (k = 0; k < count; k += PRT__LANES)
-        prt__vo_shade_lanes(&batch, k, count - k < PRT__LANES ? count - k : PRT__LANES, out + k);
+    if (count < 0) return PRT_ERR_COUNT;
+    if (count > 0 && (!occluders || !out)) return PRT_ERR_NULL;
+    if (!(unit > 0 && prt__finite(unit)) || !prt__finite3(at)) return PRT_ERR_VALUE;
+    for (k = 0; k < count; k++) if (!prt__vo_pack_one((double)unit, at, &occluders[k], words, NULL)) return PRT_ERR_VALUE;
+    for (k = 0; k < count; k++)
+        prt__vo_pack_one((double)unit, at, &occluders[k], words, out + (size_t)k * (size_t)words);
+    return PRT_OK;
+}
+
+PRT__STATIC prt_result prt__vo_unpack(prt_real unit, prt_vec3 at, int count, const uint32_t *packed, int words,
+                                      prt_vo_occluder *out) {
+    if (count < 0) return PRT_ERR_COUNT;
+    if (count > 0 && (!packed || !out)) return PRT_ERR_NULL;
+    if (!(unit > 0 && prt__finite(unit))) return PRT_ERR_VALUE;
+    prt__vo_unpack_rows(unit, at, count, packed, words, out);
+    return PRT_OK;
+}
+
+PRTDEF prt_result prt_vo_pack(prt_real unit, prt_vec3 position, int count, const prt_vo_occluder *occluders,
+                              prt_vo_packed *out) {
+    return prt__vo_pack(unit, position, count, occluders, PRT__VO_WORDS, out ? out->word : NULL);
+}
+
+PRTDEF prt_result prt_vo_pack_diffuse(prt_real unit, prt_vec3 position, int count, const prt_vo_occluder *occluders,
+                                      prt_vo_packed_diffuse *out) {
+    return prt__vo_pack(unit, position, count, occluders, PRT__VO_WORDS_DIFFUSE, out ? out->word : NULL);
+}
+
+PRTDEF prt_result prt_vo_unpack(prt_real unit, prt_vec3 position, int count, const prt_vo_packed *packed,
+                                prt_vo_occluder *out) {
+    return prt__vo_unpack(unit, position, count, packed ? packed->word : NULL, PRT__VO_WORDS, out);
+}
+
+PRTDEF prt_result prt_vo_unpack_diffuse(prt_real unit, prt_vec3 position, int count, const prt_vo_packed_diffuse *packed,
+                                        prt_vo_occluder *out) {
+    return prt__vo_unpack(unit, position, count, packed ? packed->word : NULL, PRT__VO_WORDS_DIFFUSE, out);
+}
+
+PRTDEF prt_result prt_vo_shade_packed_n(const prt_vo_params *params, prt_real unit, int count, const prt_vo_point *points,
+                                        prt_vec3 eye, const int *first, const prt_vo_packed *packed,
+                                        int light_count, const prt_point_light *lights, prt_rgb *out) {
+    prt__vo_batch b = prt__vo_batch_of(points, eye, first, light_count, lights);
+    b.packed = packed ? packed->word : NULL;
+    b.words = PRT__VO_WORDS;
+    b.unit = unit;
+    return prt__vo_shade_batch(params, &b, count, out);
+}
+
+PRTDEF prt_result prt_vo_shade_packed_diffuse_n(const prt_vo_params *params, prt_real unit, int count,
+                                                const prt_vo_point *points, prt_vec3 eye, const int *first,
+                                                const prt_vo_packed_diffuse *packed, int light_count,
+                                                const prt_point_light *lights, prt_rgb *out) {
+    prt__vo_batch b = prt__vo_batch_of(points, eye, first, light_count, lights);
+    b.packed = packed ? packed->word : NULL;
+    b.words = PRT__VO_WORDS_DIFFUSE;
+    b.unit = unit;
+    return prt__vo_shade_batch(params, &b, count, out);
+}
+
+/* v turned about the unit vector `axis` by the angle of which sine and cosine are given (Rodrigues). */
+PRT__STATIC prt_vec3 prt__turned(prt_vec3 v, const double axis[3], double sine, double cosine) {
+    double x = (double)v.x, y = (double)v.y, z = (double)v.z;
+    double rest = (1 - cosine) * (axis[0] * x + axis[1] * y + axis[2] * z);
+    return prt__vec3((prt_real)(cosine * x + sine * (axis[1] * z - axis[2] * y) + rest * axis[0]),
+                     (prt_real)(cosine * y + sine * (axis[2] * x - axis[0] * z) + rest * axis[1]),
+                     (prt_real)(cosine * z + sine * (axis[0] * y - axis[1] * x) + rest * axis[2]));
+}
+
+/* The turn of one wave: its axis, and sine and cosine of atan(slope). 0 if the wave cannot be. */
+PRT__STATIC int prt__vo_wave_turn(const prt_vo_wave *wave, prt_real time, prt_vec3 at, double axis[3], double turn[2]) {
+    prt_vec3 along, across;
+    double f = (double)wave->frequency, slope, length, root;
+    if (!prt__unit(wave->along, &along) || !prt__unit(wave->across, &across)) return 0;
+    axis[0] = (double)along.y * (double)across.z - (double)along.z * (double)across.y;
+    axis[1] = (double)along.z * (double)across.x - (double)along.x * (double)across.z;
+    axis[2] = (double)along.x * (double)across.y - (double)along.y * (double)across.x;
+    length = sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
+    slope = f * (double)time + (double)wave->phase + (double)along.x * (double)at.x + (double)along.y * (double)at.y +
+            (double)along.z * (double)at.z;
+    slope = f * (double)wave->amplitude * cos(slope);
+    if (!(fabs(length - 1) <= 1e-3) || !(fabs(slope) <= DBL_MAX)) return 0;
+    axis[0] /= length; axis[1] /= length; axis[2] /= length;
+    root = fabs(slope) < 1e150 ? sqrt(1 + slope * slope) : fabs(slope);
+    turn[0] = slope / root;
+    turn[1] = 1 / root;
+    return 1;
+}
+
+PRTDEF prt_result prt_vo_bend(int wave_count, const prt_vo_wave *waves, prt_real time, prt_vec3 position,
+                              int count, const prt_vo_occluder *occluders, prt_vo_occluder *out) {
+    double axis[3], turn[2];
+    int j, k;
+    if (wave_count < 0 || count < 0) return PRT_ERR_COUNT;
+    if ((wave_count > 0 && !waves) || (count > 0 && (!occluders || !out))) return PRT_ERR_NULL;
+    for (j = 0; j < wave_count; j++) if (!prt__vo_wave_turn(&waves[j], time, position, axis, turn)) return PRT_ERR_VALUE;
+    if (out != occluders && count > 0) memcpy(out, occluders, (size_t)count * sizeof *out);
+    for (j = 0; j < wave_count; j++) {
+        prt__vo_wave_turn(&waves[j], time, position, axis, turn);
+        for (k = 0; k < count; k++) {
+            out[k].occlusion = prt__turned(out[k].occlusion, axis, turn[0], turn[1]);
+            out[k].caustic = prt__turned(out[k].caustic, axis, turn[0], turn[1]);
+        }
+    }
     return PRT_OK;
 }
 

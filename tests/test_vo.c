@@ -495,6 +495,249 @@ static void drained_colour_ends_at_black(void **state) {
     assert_near(lowest, 0, 0);
 }
 
+/* ---- packing ---- */
+
+static double angle_between(prt_vec3 a, prt_vec3 b) {
+    v3 x = unit(d3(a)), y = unit(d3(b)), n = cross(x, y);
+    return atan2(sqrt(dot3(n, n)), dot3(x, y)) * 180 / pi;
+}
+static double length_of(prt_vec3 a) { return sqrt(dot3(d3(a), d3(a))); }
+
+/* Half floats against the definition, all of them, and the ties between them. */
+static void half_floats(void **state) {
+    uint32_t h;
+    (void)state;
+    for (h = 0; h < 0x7c00u; h++) {
+        int e = (int)(h >> 10);
+        double value = ldexp((double)(h & 0x3ffu) + (e ? 1024 : 0), (e ? e : 1) - 25), next;
+        prt_real lanes[PRT__LANES];
+        prt__bits word;
+        memset(&word, 0, sizeof word);
+        word = word + h;
+        prt__vec_store(lanes, prt__vec_of_half(word));
+        if (e > 0) assert_near(lanes[0], value, 0);            /* subnormal ones may count as 0 with -ffast-math */
+        assert_int_equal(prt__half_of(value), h);
+        assert_int_equal(prt__half_of(-value), h ? 0x8000u | h : 0);
+        if (h == 0x7bffu) break;
+        next = ldexp(1, (e ? e : 1) - 25);
+        assert_int_equal(prt__half_of(value + next * .49), h);
+        assert_int_equal(prt__half_of(value + next * .5), h + (h & 1));
+        assert_int_equal(prt__half_of(value + next * .51), h + 1);
+    }
+}
+
+/* Errors of everything packed, and what the header promises. */
+static void packing_keeps_what_it_says(void **state) {
+    double occlusion = 0, normal = 0, factor = 0, color = 0, place = 0;
+    prt_vec3 at = vec3(3, -2, 1);
+    int k, c;
+    (void)state;
+    assert_int_equal(sizeof(prt_vo_packed), 40);
+    assert_int_equal(sizeof(prt_vo_packed_diffuse), 20);
+    assert_true(5013 * 5 * sizeof(prt_vo_packed_diffuse) <= 1.03e6 / 2);   /* half of what the thesis' table 7.1 has */
+    assert_true(5013 * 5 * sizeof(prt_vo_packed) <= 2.05e6 / 2);
+    for (k = 0; k < 20000; k++) {
+        prt_vo_occluder o = noise_occluder(), back, half;
+        prt_vo_packed packed;
+        prt_vo_packed_diffuse packed_diffuse;
+        o.form_factor += (prt_real)1e-3; o.caustic_factor += (prt_real)1e-3;  /* half floats below 6e-5 have fewer bits */
+        if (k == 0) o.occlusion = vec3(0, 0, -1);
+        if (k == 1) o.occlusion = vec3(-1, 0, 0);
+        if (k == 2) o.occlusion = vec3(0, 1, 0);
+        assert_int_equal(prt_vo_pack(10, at, 1, &o, &packed), PRT_OK);
+        assert_int_equal(prt_vo_unpack(10, at, 1, &packed, &back), PRT_OK);
+        assert_int_equal(prt_vo_pack_diffuse(10, at, 1, &o, &packed_diffuse), PRT_OK);
+        assert_int_equal(prt_vo_unpack_diffuse(10, at, 1, &packed_diffuse, &half), PRT_OK);
+        assert_memory_equal(packed_diffuse.word, packed.word, sizeof packed_diffuse);
+        assert_memory_equal(&half.position, &back.position, sizeof back.position);
+        assert_memory_equal(&half.diffuse_normal, &back.diffuse_normal, sizeof back.position);
+        assert_near(length_of(half.specular_normal) + length_of(half.caustic) + (double)half.transmissive.r, 0, 0);
+        occlusion = fmax(occlusion, fmax(angle_between(o.occlusion, back.occlusion), angle_between(o.caustic, back.caustic)));
+        normal = fmax(normal, angle_between(o.diffuse_normal, back.diffuse_normal));
+        normal = fmax(normal, angle_between(o.specular_normal, back.specular_normal));
+        assert_near(length_of(back.occlusion), 1, 4 * PRT__EPS);
+        factor = fmax(factor, fabs((double)back.form_factor / (double)o.form_factor - 1));
+        factor = fmax(factor, fabs((double)back.caustic_factor / (double)o.caustic_factor - 1));
+        factor = fmax(factor, fabs(length_of(back.diffuse_normal) / length_of(o.diffuse_normal) - 1));
+        factor = fmax(factor, fabs(length_of(back.specular_normal) / length_of(o.specular_normal) - 1));
+        for (c = 0; c < 9; c++) {
+            double was = (double)((c < 3 ? &o.transmissive.r : &o.diffuse.r) [c < 3 ? c : c - 3]);
+            double is = (double)((c < 3 ? &back.transmissive.r : &back.diffuse.r) [c < 3 ? c : c - 3]);
+            color = fmax(color, fabs(is - was) / ((sqrt(was) + 1 / 1020.) / 255));
+        }
+        for (c = 0; c < 3; c++) {
+            double d = fabs((double)(&o.position.x)[c] - (double)(&at.x)[c]);
+            place = fmax(place, fabs((double)(&back.position.x)[c] - (double)(&o.position.x)[c]) / (d + 1e-3));
+        }
+    }
+    printf("packing: occlusion %.4f degrees, normals %.3f, factors and lengths %.2e, position %.2e, colour %.2f of a step\n",
+           occlusion, normal, factor, place, color);
+    assert_at_most(occlusion, .004);
+    assert_at_most(normal, .06);
+    assert_at_most(factor, 1.01 / 2048);
+    assert_at_most(place, 1.01 / 2048);
+    assert_at_most(color, 1.001);
+}
+
+/* Shading packed occluders is shading what they unpack to; and close to shading what was packed. */
+static void packed_shading_is_shading(void **state) {
+    static prt_rgb plain[POINTS], packed[POINTS], exact[POINTS];
+    static prt_vo_packed p[POINTS * OCCLUDERS];
+    static prt_vo_packed_diffuse d[POINTS * OCCLUDERS];
+    static prt_vo_occluder back[POINTS * OCCLUDERS];
+    static scene s;
+    double sum = 0, all = 0;
+    int k, c, count, form;
+    (void)state;
+    for (form = 0; form < 4; form++) {
+        noise_scene(&s);
+        s.params.law = form % 2;
+        if (form < 2) s.params.off = PRT_VO_NO_CAUSTIC | PRT_VO_NO_DS | PRT_VO_NO_SS;
+        for (k = 0; k < s.first[POINTS] && form < 2; k++) s.occluders[k].transmissive = rgb(0, 0, 0);
+        for (k = 0; k < POINTS; k++) {
+            count = s.first[k + 1] - s.first[k];
+            prt_vo_pack(10, s.points[k].position, count, s.occluders + s.first[k], p + s.first[k]);
+            prt_vo_pack_diffuse(10, s.points[k].position, count, s.occluders + s.first[k], d + s.first[k]);
+            prt_vo_unpack(10, s.points[k].position, count, p + s.first[k], back + s.first[k]);
+        }
+        assert_int_equal(prt_vo_shade_n(&s.params, POINTS, s.points, s.eye, s.first, back, 9, s.lights, plain), PRT_OK);
+        assert_int_equal(prt_vo_shade_n(&s.params, POINTS, s.points, s.eye, s.first, s.occluders, 9, s.lights, exact), PRT_OK);
+        if (form < 2)
+            assert_int_equal(prt_vo_shade_packed_diffuse_n(&s.params, 10, POINTS, s.points, s.eye, s.first, d, 9, s.lights,
+                                                           packed), PRT_OK);
+        else
+            assert_int_equal(prt_vo_shade_packed_n(&s.params, 10, POINTS, s.points, s.eye, s.first, p, 9, s.lights,
+                                                   packed), PRT_OK);
+        for (k = 0; k < POINTS; k++)
+            for (c = 0; c < 3; c++) {
+                assert_near(c3(packed[k]).c[c], c3(plain[k]).c[c], 4e4 * PRT__EPS * c3(plain[k]).c[c] * (form < 2 ? .01 : 1));
+                sum += pow(c3(packed[k]).c[c] - c3(exact[k]).c[c], 2);
+                all += pow(c3(exact[k]).c[c], 2);
+            }
+    }
+    printf("packed against plain occluders: %.2e of the light\n", sqrt(sum / all));
+    assert_at_most(sqrt(sum / all), 4e-3);
+}
+
+static void bad_packing(void **state) {
+    static scene s;
+    prt_vo_packed p[2], untouched[2];
+    prt_vo_packed_diffuse d[2];
+    prt_vo_occluder o[2], back[2];
+    prt_rgb out[2];
+    prt_vec3 at = vec3(0, 0, 0);
+    int k;
+    (void)state;
+    noise_scene(&s);
+    o[0] = noise_occluder(); o[1] = noise_occluder();
+    memset(p, 7, sizeof p);
+    memset(d, 7, sizeof d);
+    memcpy(untouched, p, sizeof p);
+    assert_int_equal(prt_vo_pack(1, at, -1, o, p), PRT_ERR_COUNT);
+    assert_int_equal(prt_vo_pack(1, at, 2, NULL, p), PRT_ERR_NULL);
+    assert_int_equal(prt_vo_pack(1, at, 2, o, NULL), PRT_ERR_NULL);
+    assert_int_equal(prt_vo_pack(0, at, 2, o, p), PRT_ERR_VALUE);
+    assert_int_equal(prt_vo_pack(-1, at, 2, o, p), PRT_ERR_VALUE);
+    assert_int_equal(prt_vo_pack((prt_real)1e-7, at, 2, o, p), PRT_ERR_VALUE);        /* too far in this unit */
+    assert_int_equal(prt_vo_pack_diffuse(1, at, -1, o, d), PRT_ERR_COUNT);
+    assert_int_equal(prt_vo_pack_diffuse(1, at, 2, NULL, d), PRT_ERR_NULL);
+    assert_int_equal(prt_vo_unpack(1, at, -1, p, back), PRT_ERR_COUNT);
+    assert_int_equal(prt_vo_unpack(1, at, 1, NULL, back), PRT_ERR_NULL);
+    assert_int_equal(prt_vo_unpack(1, at, 1, p, NULL), PRT_ERR_NULL);
+    assert_int_equal(prt_vo_unpack(0, at, 1, p, back), PRT_ERR_VALUE);
+    assert_int_equal(prt_vo_unpack_diffuse(1, at, -1, d, back), PRT_ERR_COUNT);
+    assert_int_equal(prt_vo_unpack_diffuse(1, at, 1, NULL, back), PRT_ERR_NULL);
+    for (k = 0; k < 26; k++) {                                 /* each number once out of its range, in the second of two */
+        prt_vo_occluder bad[2];
+        int is_color = (k >= 9 && k < 12) || (k >= 18 && k < 24), is_factor = k >= 24, full = k >= 21 || (k >= 6 && k < 12) ||
+                       (k >= 15 && k < 18);
+        bad[0] = bad[1] = o[0];
+        (&bad[1].position.x)[k] = (prt_real)(is_color ? 1.01 : is_factor ? -.01 : 1e30);
+        if (!is_color && !is_factor && k >= 3 && k < 9) continue;                  /* directions may have any length */
+        assert_int_equal(prt_vo_pack(1, at, 2, bad, p), PRT_ERR_VALUE);
+        assert_int_equal(prt_vo_pack_diffuse(1, at, 2, bad, d), full && k != 24 ? PRT_OK : PRT_ERR_VALUE);
+    }
+    assert_memory_equal(p, untouched, sizeof p);
+    assert_int_equal(prt_vo_shade_packed_n(&s.params, 0, 1, s.points, s.eye, s.first, p, 1, s.lights, out), PRT_ERR_VALUE);
+    assert_int_equal(prt_vo_shade_packed_n(&s.params, 1, -1, s.points, s.eye, s.first, p, 1, s.lights, out), PRT_ERR_COUNT);
+    assert_int_equal(prt_vo_shade_packed_n(NULL, 1, 1, s.points, s.eye, s.first, p, 1, s.lights, out), PRT_ERR_NULL);
+    s.first[0] = 0; s.first[1] = 1;
+    assert_int_equal(prt_vo_shade_packed_n(&s.params, 1, 1, s.points, s.eye, s.first, NULL, 1, s.lights, out), PRT_ERR_NULL);
+    assert_int_equal(prt_vo_shade_packed_diffuse_n(&s.params, 1, 1, s.points, s.eye, s.first, NULL, 1, s.lights, out),
+                     PRT_ERR_NULL);
+#ifndef __FAST_MATH__
+    for (k = 0; k < 26; k++) {
+        prt_vo_occluder bad = o[0];
+        (&bad.position.x)[k] = (prt_real)NAN;
+        assert_int_equal(prt_vo_pack(1, at, 1, &bad, p), PRT_ERR_VALUE);
+        (&bad.position.x)[k] = (prt_real)INFINITY;
+        assert_int_equal(prt_vo_pack(1, at, 1, &bad, p), PRT_ERR_VALUE);
+    }
+    assert_int_equal(prt_vo_pack((prt_real)NAN, at, 1, o, p), PRT_ERR_VALUE);
+    assert_memory_equal(p, untouched, sizeof p);
+#endif
+}
+
+/* ---- waves ---- */
+
+/* One wave along x that pushes along z: its axis is -y; at slope 1 vectors turn by 45 degrees. */
+static void waves_bend(void **state) {
+    prt_vo_wave w[3];
+    prt_vo_occluder o = noise_occluder(), out, twice;
+    int k;
+    (void)state;
+    memset(w, 0, sizeof w);
+    w[0].along = vec3(1, 0, 0); w[0].across = vec3(0, 0, 1);
+    w[0].amplitude = (prt_real).5; w[0].frequency = 2;
+    o.occlusion = vec3(0, 0, 1); o.caustic = vec3(2, 0, 0);
+    assert_int_equal(prt_vo_bend(1, w, 0, vec3(0, 9, 9), 1, &o, &out), PRT_OK);
+    assert_near(out.occlusion.x, -sqrt(.5), 2 * PRT__EPS); assert_near(out.occlusion.z, sqrt(.5), 2 * PRT__EPS);
+    assert_near(out.caustic.x, 2 * sqrt(.5), 4 * PRT__EPS); assert_near(out.caustic.z, 2 * sqrt(.5), 4 * PRT__EPS);
+    assert_near(out.occlusion.y, 0, 0);
+    out.occlusion = o.occlusion; out.caustic = o.caustic;
+    assert_memory_equal(&out, &o, sizeof o);                   /* and nothing else */
+    assert_int_equal(prt_vo_bend(1, w, 0, vec3(pi / 2, 0, 0), 1, &o, &out), PRT_OK);   /* where the slope is 0 */
+    assert_near(out.occlusion.x, 0, 4 * PRT__EPS);
+    assert_int_equal(prt_vo_bend(1, w, (prt_real)(pi / 4), vec3(0, 0, 0), 1, &o, &out), PRT_OK);
+    assert_near(out.occlusion.x, 0, 4 * PRT__EPS);
+    for (k = 0; k < 50; k++) {                                 /* lengths and angles stay; waves in turn; in place */
+        int j;
+        for (j = 0; j < 3; j++) {
+            prt_vec3 a = noise_unit(), b = noise_unit();
+            v3 n = unit(cross(d3(a), d3(b)));
+            w[j].along = a; w[j].across = vec3(n.c[0], n.c[1], n.c[2]);
+            w[j].amplitude = (prt_real)noise(); w[j].frequency = (prt_real)(5 * noise()); w[j].phase = (prt_real)noise();
+        }
+        o = noise_occluder();
+        assert_int_equal(prt_vo_bend(3, w, (prt_real)k, vec3(1, 2, 3), 1, &o, &out), PRT_OK);
+        assert_near(length_of(out.occlusion), length_of(o.occlusion), 8 * PRT__EPS);
+        assert_near(dot3(d3(out.occlusion), d3(out.caustic)), dot3(d3(o.occlusion), d3(o.caustic)), 16 * PRT__EPS);
+        twice = o;
+        for (j = 0; j < 3; j++) prt_vo_bend(1, w + j, (prt_real)k, vec3(1, 2, 3), 1, &twice, &twice);
+        assert_memory_equal(&twice, &out, sizeof out);
+    }
+    out = o;
+    assert_int_equal(prt_vo_bend(-1, w, 0, vec3(0, 0, 0), 1, &o, &out), PRT_ERR_COUNT);
+    assert_int_equal(prt_vo_bend(1, w, 0, vec3(0, 0, 0), -1, &o, &out), PRT_ERR_COUNT);
+    assert_int_equal(prt_vo_bend(1, NULL, 0, vec3(0, 0, 0), 1, &o, &out), PRT_ERR_NULL);
+    assert_int_equal(prt_vo_bend(1, w, 0, vec3(0, 0, 0), 1, NULL, &out), PRT_ERR_NULL);
+    assert_int_equal(prt_vo_bend(1, w, 0, vec3(0, 0, 0), 1, &o, NULL), PRT_ERR_NULL);
+    assert_int_equal(prt_vo_bend(0, NULL, 0, vec3(0, 0, 0), 0, NULL, NULL), PRT_OK);
+    w[1].across = w[1].along;
+    assert_int_equal(prt_vo_bend(3, w, 0, vec3(0, 0, 0), 1, &o, &out), PRT_ERR_VALUE);
+    w[1].across = vec3(0, 0, 2);
+    assert_int_equal(prt_vo_bend(3, w, 0, vec3(0, 0, 0), 1, &o, &out), PRT_ERR_VALUE);
+#ifndef __FAST_MATH__
+    w[1] = w[0];
+    w[1].amplitude = (prt_real)NAN;
+    assert_int_equal(prt_vo_bend(3, w, 0, vec3(0, 0, 0), 1, &o, &out), PRT_ERR_VALUE);
+    w[1] = w[0];
+    assert_int_equal(prt_vo_bend(3, w, (prt_real)INFINITY, vec3(0, 0, 0), 1, &o, &out), PRT_ERR_VALUE);
+    assert_int_equal(prt_vo_bend(3, w, 0, vec3(NAN, 0, 0), 1, &o, &out), PRT_ERR_VALUE);
+#endif
+    assert_memory_equal(&out, &o, sizeof o);
+}
+
 static void bad_arguments(void **state) {
     static scene s;
     static const int falling[] = { 0, 2, 1 }, negative[] = { -1, 2, 2 };
@@ -539,6 +782,11 @@ int main(void) {
         cmocka_unit_test(finite_in_finite_out),
         cmocka_unit_test(nan_stays_at_home),
         cmocka_unit_test(drained_colour_ends_at_black),
+        cmocka_unit_test(half_floats),
+        cmocka_unit_test(packing_keeps_what_it_says),
+        cmocka_unit_test(packed_shading_is_shading),
+        cmocka_unit_test(bad_packing),
+        cmocka_unit_test(waves_bend),
         cmocka_unit_test(bad_arguments),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
