@@ -4491,7 +4491,7 @@ PRT__STATIC void prt__product(int bands, const prt_real *f, const prt_real *g, p
     switch (bands) {
     case 1: prt__sh_product_1(f, g, out); break;
     case 2: prt__sh_product_2(f, g, out); break;
-    case 3: if (PRT__LANES >= 4) prt__product_3(f, g, out); else prt__sh_product_3(f, g, out); break;
+    case 3: if (PRT__LANES == 4) prt__product_3(f, g, out); else prt__sh_product_3(f, g, out); break;
     case 4: if (PRT__LANES >= 2) prt__product_4(f, g, out); else prt__sh_product_4(f, g, out); break;
     case 5: prt__product_5(f, g, out); break;
     case 6: prt__product_6(f, g, out); break;
@@ -6786,20 +6786,17 @@ PRT__STATIC void prt__sh_eval_1(prt_real x, prt_real y, prt_real z, prt_real *PR
 }
 
 /* SH basis, 1 band: 0 multiplications, 0 additions (0 can fuse), 1 stores */
-PRT__INLINE void prt__sh_eval_1_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, 
-    size_t stride, int first, int last) {
-    (void)x;
-    (void)y;
-    (void)z;
-    (void)stride;
-    if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
-}
-
-PRT__STATIC void prt__sh_eval_1_v(int vectors, const prt_real *x, const prt_real *y, const prt_real *z,
-    prt_real *PRT__RESTRICT out, size_t stride) {
+PRT__STATIC void prt__sh_eval_1_v(int vectors, const prt_real *xs, const prt_real *ys, const prt_real *zs,
+    prt_real *PRT__RESTRICT rows, size_t stride) {
     int k;
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_1_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 0, 1);
+    (void)xs;
+    (void)ys;
+    (void)zs;
+    (void)stride;
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        prt_real *PRT__RESTRICT out = rows + k;
+        prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+    }
 }
 
 /* SH basis, 2 bands: 3 multiplications, 0 additions (0 can fuse), 4 stores */
@@ -6811,19 +6808,19 @@ PRT__STATIC void prt__sh_eval_2(prt_real x, prt_real y, prt_real z, prt_real *PR
 }
 
 /* SH basis, 2 bands: 3 multiplications, 0 additions (0 can fuse), 4 stores */
-PRT__INLINE void prt__sh_eval_2_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, 
-    size_t stride, int first, int last) {
-    if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
-    if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
-    if (first <= 2 && 2 < last) prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
-    if (first <= 3 && 3 < last) prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
-}
-
-PRT__STATIC void prt__sh_eval_2_v(int vectors, const prt_real *x, const prt_real *y, const prt_real *z,
-    prt_real *PRT__RESTRICT out, size_t stride) {
+PRT__STATIC void prt__sh_eval_2_v(int vectors, const prt_real *xs, const prt_real *ys, const prt_real *zs,
+    prt_real *PRT__RESTRICT rows, size_t stride) {
     int k;
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_2_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 0, 4);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+        prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
+        prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
+        prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
+    }
 }
 
 /* SH basis, 3 bands: 12 multiplications, 4 additions (1 can fuse), 9 stores */
@@ -6842,30 +6839,32 @@ PRT__STATIC void prt__sh_eval_3(prt_real x, prt_real y, prt_real z, prt_real *PR
 }
 
 /* SH basis, 3 bands: 12 multiplications, 4 additions (1 can fuse), 9 stores */
-PRT__INLINE void prt__sh_eval_3_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, 
-    size_t stride, int first, int last) {
-    if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
-    if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
-    if (first <= 2 && 2 < last)
-        prt__vec_store(out + 6 * stride, PRT__R(0.946174695757560018093) * (z * z) - PRT__R(0.315391565252520006031));
-    if (first <= 3 && 3 < last) prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
-    if (first <= 4 && 4 < last) prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
-    const prt__vec t1 = PRT__R(1.09254843059207907054) * z;
-    if (first <= 5 && 5 < last) prt__vec_store(out + 5 * stride, y * t1);
-    if (first <= 6 && 6 < last) prt__vec_store(out + 7 * stride, x * t1);
-    const prt__vec t2 = y * x;
-    if (first <= 7 && 7 < last) prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * (t2 + t2));
-    if (first <= 8 && 8 < last)
-        prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * ((y + x) * (x - y)));
-}
-
-PRT__STATIC void prt__sh_eval_3_v(int vectors, const prt_real *x, const prt_real *y, const prt_real *z,
-    prt_real *PRT__RESTRICT out, size_t stride) {
+PRT__STATIC void prt__sh_eval_3_v(int vectors, const prt_real *xs, const prt_real *ys, const prt_real *zs,
+    prt_real *PRT__RESTRICT rows, size_t stride) {
     int k;
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_3_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 0, 5);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_3_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 5, 9);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+        prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
+        prt__vec_store(out + 6 * stride, PRT__R(0.946174695757560018093) * (z * z) - PRT__R(0.315391565252520006031));
+        prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
+        prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = PRT__R(1.09254843059207907054) * z;
+        prt__vec_store(out + 5 * stride, y * t1);
+        prt__vec_store(out + 7 * stride, x * t1);
+        const prt__vec t2 = y * x;
+        prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * (t2 + t2));
+        prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * ((y + x) * (x - y)));
+    }
 }
 
 /* SH basis, 4 bands: 25 multiplications, 11 additions (3 can fuse), 16 stores */
@@ -6899,46 +6898,47 @@ PRT__STATIC void prt__sh_eval_4(prt_real x, prt_real y, prt_real z, prt_real *PR
 }
 
 /* SH basis, 4 bands: 25 multiplications, 11 additions (3 can fuse), 16 stores */
-PRT__INLINE void prt__sh_eval_4_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, 
-    size_t stride, int first, int last) {
-    if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
-    if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
-    const prt__vec t1 = z * z;
-    if (first <= 2 && 2 < last)
-        prt__vec_store(out + 6 * stride, PRT__R(0.946174695757560018093) * t1 - PRT__R(0.315391565252520006031));
-    const prt__vec t2 = PRT__R(1.86588166295057695707) * t1 - PRT__R(1.11952899777034617424);
-    if (first <= 3 && 3 < last) prt__vec_store(out + 12 * stride, z * t2);
-    if (first <= 4 && 4 < last) prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
-    if (first <= 5 && 5 < last) prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
-    const prt__vec t3 = PRT__R(1.09254843059207907054) * z;
-    if (first <= 6 && 6 < last) prt__vec_store(out + 5 * stride, y * t3);
-    if (first <= 7 && 7 < last) prt__vec_store(out + 7 * stride, x * t3);
-    const prt__vec t4 = PRT__R(2.28522899732232868079) * t1 - PRT__R(0.457045799464465736158);
-    if (first <= 8 && 8 < last) prt__vec_store(out + 11 * stride, y * t4);
-    if (first <= 9 && 9 < last) prt__vec_store(out + 13 * stride, x * t4);
-    const prt__vec t5 = y * x;
-    const prt__vec t6 = t5 + t5;
-    if (first <= 10 && 10 < last) prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t6);
-    const prt__vec t7 = (y + x) * (x - y);
-    if (first <= 11 && 11 < last) prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t7);
-    const prt__vec t8 = PRT__R(1.44530572132027702769) * z;
-    if (first <= 12 && 12 < last) prt__vec_store(out + 10 * stride, t6 * t8);
-    if (first <= 13 && 13 < last) prt__vec_store(out + 14 * stride, t7 * t8);
-    const prt__vec t9 = y * y;
-    const prt__vec t10 = t7 + t9;
-    if (first <= 14 && 14 < last)
-        prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * (y * (t7 + (t10 + t10))));
-    if (first <= 15 && 15 < last)
-        prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * (x * (t7 - (t9 + t9))));
-}
-
-PRT__STATIC void prt__sh_eval_4_v(int vectors, const prt_real *x, const prt_real *y, const prt_real *z,
-    prt_real *PRT__RESTRICT out, size_t stride) {
+PRT__STATIC void prt__sh_eval_4_v(int vectors, const prt_real *xs, const prt_real *ys, const prt_real *zs,
+    prt_real *PRT__RESTRICT rows, size_t stride) {
     int k;
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_4_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 0, 8);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_4_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 8, 16);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+        prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
+        const prt__vec t1 = z * z;
+        prt__vec_store(out + 6 * stride, PRT__R(0.946174695757560018093) * t1 - PRT__R(0.315391565252520006031));
+        const prt__vec t2 = PRT__R(1.86588166295057695707) * t1 - PRT__R(1.11952899777034617424);
+        prt__vec_store(out + 12 * stride, z * t2);
+        prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
+        prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
+        const prt__vec t3 = PRT__R(1.09254843059207907054) * z;
+        prt__vec_store(out + 5 * stride, y * t3);
+        prt__vec_store(out + 7 * stride, x * t3);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = PRT__R(2.28522899732232868079) * (z * z) - PRT__R(0.457045799464465736158);
+        prt__vec_store(out + 11 * stride, y * t1);
+        prt__vec_store(out + 13 * stride, x * t1);
+        const prt__vec t2 = y * x;
+        const prt__vec t3 = t2 + t2;
+        prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t3);
+        const prt__vec t4 = (y + x) * (x - y);
+        prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t4);
+        const prt__vec t5 = PRT__R(1.44530572132027702769) * z;
+        prt__vec_store(out + 10 * stride, t3 * t5);
+        prt__vec_store(out + 14 * stride, t4 * t5);
+        const prt__vec t6 = y * y;
+        const prt__vec t7 = t4 + t6;
+        prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * (y * (t4 + (t7 + t7))));
+        prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * (x * (t4 - (t6 + t6))));
+    }
 }
 
 /* SH basis, 5 bands: 41 multiplications, 18 additions (7 can fuse), 25 stores */
@@ -6990,66 +6990,82 @@ PRT__STATIC void prt__sh_eval_5(prt_real x, prt_real y, prt_real z, prt_real *PR
 }
 
 /* SH basis, 5 bands: 41 multiplications, 18 additions (7 can fuse), 25 stores */
-PRT__INLINE void prt__sh_eval_5_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, 
-    size_t stride, int first, int last) {
-    if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
-    if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
-    const prt__vec t1 = z * z;
-    const prt__vec t2 = PRT__R(0.946174695757560018093) * t1 - PRT__R(0.315391565252520006031);
-    if (first <= 2 && 2 < last) prt__vec_store(out + 6 * stride, t2);
-    const prt__vec t3 = PRT__R(1.86588166295057695707) * t1 - PRT__R(1.11952899777034617424);
-    if (first <= 3 && 3 < last) prt__vec_store(out + 12 * stride, z * t3);
-    const prt__vec t4 = PRT__R(4.13572565211287073036) * t2 - PRT__R(0.745355992499929898803);
-    if (first <= 4 && 4 < last) prt__vec_store(out + 20 * stride, t2 * t4 - PRT__R(0.329110590402857834053));
-    if (first <= 5 && 5 < last) prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
-    if (first <= 6 && 6 < last) prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
-    const prt__vec t5 = PRT__R(1.09254843059207907054) * z;
-    if (first <= 7 && 7 < last) prt__vec_store(out + 5 * stride, y * t5);
-    if (first <= 8 && 8 < last) prt__vec_store(out + 7 * stride, x * t5);
-    const prt__vec t6 = PRT__R(2.28522899732232868079) * t1 - PRT__R(0.457045799464465736158);
-    if (first <= 9 && 9 < last) prt__vec_store(out + 11 * stride, y * t6);
-    if (first <= 10 && 10 < last) prt__vec_store(out + 13 * stride, x * t6);
-    const prt__vec t7 = PRT__R(4.68332580490102417566) * t1 - PRT__R(2.00713963067186750386);
-    const prt__vec t8 = z * t7;
-    if (first <= 11 && 11 < last) prt__vec_store(out + 19 * stride, y * t8);
-    if (first <= 12 && 12 < last) prt__vec_store(out + 21 * stride, x * t8);
-    const prt__vec t9 = y * x;
-    const prt__vec t10 = t9 + t9;
-    if (first <= 13 && 13 < last) prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t10);
-    const prt__vec t11 = (y + x) * (x - y);
-    if (first <= 14 && 14 < last) prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t11);
-    const prt__vec t12 = PRT__R(1.44530572132027702769) * z;
-    if (first <= 15 && 15 < last) prt__vec_store(out + 10 * stride, t10 * t12);
-    if (first <= 16 && 16 < last) prt__vec_store(out + 14 * stride, t11 * t12);
-    const prt__vec t13 = PRT__R(3.31161143515146006332) * t1 - PRT__R(0.473087347878780009046);
-    if (first <= 17 && 17 < last) prt__vec_store(out + 18 * stride, t10 * t13);
-    if (first <= 18 && 18 < last) prt__vec_store(out + 22 * stride, t11 * t13);
-    const prt__vec t14 = y * y;
-    const prt__vec t15 = t11 + t14;
-    const prt__vec t16 = y * (t11 + (t15 + t15));
-    if (first <= 19 && 19 < last) prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * t16);
-    const prt__vec t17 = x * (t11 - (t14 + t14));
-    if (first <= 20 && 20 < last) prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * t17);
-    const prt__vec t18 = PRT__R(1.77013076977993053104) * z;
-    if (first <= 21 && 21 < last) prt__vec_store(out + 17 * stride, t16 * t18);
-    if (first <= 22 && 22 < last) prt__vec_store(out + 23 * stride, t17 * t18);
-    const prt__vec t19 = t11 * t10;
-    if (first <= 23 && 23 < last) prt__vec_store(out + 16 * stride, PRT__R(0.625835735449176134587) * (t19 + t19));
-    if (first <= 24 && 24 < last)
-        prt__vec_store(out + 24 * stride, PRT__R(0.625835735449176134587) * ((t11 + t10) * (t11 - t10)));
-}
-
-PRT__STATIC void prt__sh_eval_5_v(int vectors, const prt_real *x, const prt_real *y, const prt_real *z,
-    prt_real *PRT__RESTRICT out, size_t stride) {
+PRT__STATIC void prt__sh_eval_5_v(int vectors, const prt_real *xs, const prt_real *ys, const prt_real *zs,
+    prt_real *PRT__RESTRICT rows, size_t stride) {
     int k;
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_5_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 0, 7);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_5_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 7, 14);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_5_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 14, 21);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_5_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 21, 25);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+        prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
+        const prt__vec t1 = z * z;
+        const prt__vec t2 = PRT__R(0.946174695757560018093) * t1 - PRT__R(0.315391565252520006031);
+        prt__vec_store(out + 6 * stride, t2);
+        const prt__vec t3 = PRT__R(1.86588166295057695707) * t1 - PRT__R(1.11952899777034617424);
+        prt__vec_store(out + 12 * stride, z * t3);
+        const prt__vec t4 = PRT__R(4.13572565211287073036) * t2 - PRT__R(0.745355992499929898803);
+        prt__vec_store(out + 20 * stride, t2 * t4 - PRT__R(0.329110590402857834053));
+        prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
+        prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = PRT__R(1.09254843059207907054) * z;
+        prt__vec_store(out + 5 * stride, y * t1);
+        prt__vec_store(out + 7 * stride, x * t1);
+        const prt__vec t2 = z * z;
+        const prt__vec t3 = PRT__R(2.28522899732232868079) * t2 - PRT__R(0.457045799464465736158);
+        prt__vec_store(out + 11 * stride, y * t3);
+        prt__vec_store(out + 13 * stride, x * t3);
+        const prt__vec t4 = PRT__R(4.68332580490102417566) * t2 - PRT__R(2.00713963067186750386);
+        const prt__vec t5 = z * t4;
+        prt__vec_store(out + 19 * stride, y * t5);
+        prt__vec_store(out + 21 * stride, x * t5);
+        const prt__vec t6 = y * x;
+        prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * (t6 + t6));
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = (y + x) * (x - y);
+        prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t1);
+        const prt__vec t2 = y * x;
+        const prt__vec t3 = t2 + t2;
+        const prt__vec t4 = PRT__R(1.44530572132027702769) * z;
+        prt__vec_store(out + 10 * stride, t3 * t4);
+        prt__vec_store(out + 14 * stride, t1 * t4);
+        const prt__vec t5 = PRT__R(3.31161143515146006332) * (z * z) - PRT__R(0.473087347878780009046);
+        prt__vec_store(out + 18 * stride, t3 * t5);
+        prt__vec_store(out + 22 * stride, t1 * t5);
+        const prt__vec t6 = y * y;
+        const prt__vec t7 = t1 + t6;
+        prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * (y * (t1 + (t7 + t7))));
+        prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * (x * (t1 - (t6 + t6))));
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = (y + x) * (x - y);
+        const prt__vec t2 = y * y;
+        const prt__vec t3 = t1 + t2;
+        const prt__vec t4 = PRT__R(1.77013076977993053104) * z;
+        prt__vec_store(out + 17 * stride, (y * (t1 + (t3 + t3))) * t4);
+        prt__vec_store(out + 23 * stride, (x * (t1 - (t2 + t2))) * t4);
+        const prt__vec t5 = y * x;
+        const prt__vec t6 = t5 + t5;
+        const prt__vec t7 = t1 * t6;
+        prt__vec_store(out + 16 * stride, PRT__R(0.625835735449176134587) * (t7 + t7));
+        prt__vec_store(out + 24 * stride, PRT__R(0.625835735449176134587) * ((t1 + t6) * (t1 - t6)));
+    }
 }
 
 /* SH basis, 6 bands: 64 multiplications, 25 additions (14 can fuse), 36 stores */
@@ -7122,91 +7138,113 @@ PRT__STATIC void prt__sh_eval_6(prt_real x, prt_real y, prt_real z, prt_real *PR
 }
 
 /* SH basis, 6 bands: 64 multiplications, 25 additions (14 can fuse), 36 stores */
-PRT__INLINE void prt__sh_eval_6_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, 
-    size_t stride, int first, int last) {
-    if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
-    if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
-    const prt__vec t1 = z * z;
-    const prt__vec t2 = PRT__R(0.946174695757560018093) * t1 - PRT__R(0.315391565252520006031);
-    if (first <= 2 && 2 < last) prt__vec_store(out + 6 * stride, t2);
-    const prt__vec t3 = PRT__R(1.86588166295057695707) * t1 - PRT__R(1.11952899777034617424);
-    const prt__vec t4 = z * t3;
-    if (first <= 3 && 3 < last) prt__vec_store(out + 12 * stride, t4);
-    const prt__vec t5 = PRT__R(4.13572565211287073036) * t2 - PRT__R(0.745355992499929898803);
-    const prt__vec t6 = t2 * t5 - PRT__R(0.329110590402857834053);
-    if (first <= 4 && 4 < last) prt__vec_store(out + 20 * stride, t6);
-    if (first <= 5 && 5 < last)
-        prt__vec_store(out + 30 * stride, PRT__R(1.98997487421323990947) * (z * t6) - PRT__R(1.00285307284481394976) * t4);
-    if (first <= 6 && 6 < last) prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
-    if (first <= 7 && 7 < last) prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
-    const prt__vec t7 = PRT__R(1.09254843059207907054) * z;
-    if (first <= 8 && 8 < last) prt__vec_store(out + 5 * stride, y * t7);
-    if (first <= 9 && 9 < last) prt__vec_store(out + 7 * stride, x * t7);
-    const prt__vec t8 = PRT__R(2.28522899732232868079) * t1 - PRT__R(0.457045799464465736158);
-    if (first <= 10 && 10 < last) prt__vec_store(out + 11 * stride, y * t8);
-    if (first <= 11 && 11 < last) prt__vec_store(out + 13 * stride, x * t8);
-    const prt__vec t9 = PRT__R(4.68332580490102417566) * t1 - PRT__R(2.00713963067186750386);
-    const prt__vec t10 = z * t9;
-    if (first <= 12 && 12 < last) prt__vec_store(out + 19 * stride, y * t10);
-    if (first <= 13 && 13 < last) prt__vec_store(out + 21 * stride, x * t10);
-    const prt__vec t11 = PRT__R(1.82140655598655998134) * t8 - PRT__R(1.10995495404092863574);
-    const prt__vec t12 = t8 * t11 - PRT__R(0.434828785147869044447);
-    if (first <= 14 && 14 < last) prt__vec_store(out + 29 * stride, y * t12);
-    if (first <= 15 && 15 < last) prt__vec_store(out + 31 * stride, x * t12);
-    const prt__vec t13 = y * x;
-    const prt__vec t14 = t13 + t13;
-    if (first <= 16 && 16 < last) prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t14);
-    const prt__vec t15 = (y + x) * (x - y);
-    if (first <= 17 && 17 < last) prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t15);
-    const prt__vec t16 = PRT__R(1.44530572132027702769) * z;
-    if (first <= 18 && 18 < last) prt__vec_store(out + 10 * stride, t14 * t16);
-    if (first <= 19 && 19 < last) prt__vec_store(out + 14 * stride, t15 * t16);
-    const prt__vec t17 = PRT__R(3.31161143515146006332) * t1 - PRT__R(0.473087347878780009046);
-    if (first <= 20 && 20 < last) prt__vec_store(out + 18 * stride, t14 * t17);
-    if (first <= 21 && 21 < last) prt__vec_store(out + 22 * stride, t15 * t17);
-    const prt__vec t18 = PRT__R(7.1903051774599856325) * t1 - PRT__R(2.3967683924866618775);
-    const prt__vec t19 = z * t18;
-    if (first <= 22 && 22 < last) prt__vec_store(out + 28 * stride, t14 * t19);
-    if (first <= 23 && 23 < last) prt__vec_store(out + 32 * stride, t15 * t19);
-    const prt__vec t20 = y * y;
-    const prt__vec t21 = t15 + t20;
-    const prt__vec t22 = y * (t15 + (t21 + t21));
-    if (first <= 24 && 24 < last) prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * t22);
-    const prt__vec t23 = x * (t15 - (t20 + t20));
-    if (first <= 25 && 25 < last) prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * t23);
-    const prt__vec t24 = PRT__R(1.77013076977993053104) * z;
-    if (first <= 26 && 26 < last) prt__vec_store(out + 17 * stride, t22 * t24);
-    if (first <= 27 && 27 < last) prt__vec_store(out + 23 * stride, t23 * t24);
-    const prt__vec t25 = PRT__R(4.40314469491725348916) * t1 - PRT__R(0.489238299435250387684);
-    if (first <= 28 && 28 < last) prt__vec_store(out + 27 * stride, t22 * t25);
-    if (first <= 29 && 29 < last) prt__vec_store(out + 33 * stride, t23 * t25);
-    const prt__vec t26 = t15 * t14;
-    const prt__vec t27 = t26 + t26;
-    if (first <= 30 && 30 < last) prt__vec_store(out + 16 * stride, PRT__R(0.625835735449176134587) * t27);
-    const prt__vec t28 = (t15 + t14) * (t15 - t14);
-    if (first <= 31 && 31 < last) prt__vec_store(out + 24 * stride, PRT__R(0.625835735449176134587) * t28);
-    const prt__vec t29 = PRT__R(2.075662314881041279) * z;
-    if (first <= 32 && 32 < last) prt__vec_store(out + 26 * stride, t27 * t29);
-    if (first <= 33 && 33 < last) prt__vec_store(out + 34 * stride, t28 * t29);
-    if (first <= 34 && 34 < last)
-        prt__vec_store(out + 25 * stride, PRT__R(0.656382056840170102814) * (y * t28 + x * t27));
-    if (first <= 35 && 35 < last)
-        prt__vec_store(out + 35 * stride, PRT__R(0.656382056840170102814) * (x * t28 - y * t27));
-}
-
-PRT__STATIC void prt__sh_eval_6_v(int vectors, const prt_real *x, const prt_real *y, const prt_real *z,
-    prt_real *PRT__RESTRICT out, size_t stride) {
+PRT__STATIC void prt__sh_eval_6_v(int vectors, const prt_real *xs, const prt_real *ys, const prt_real *zs,
+    prt_real *PRT__RESTRICT rows, size_t stride) {
     int k;
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_6_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 0, 8);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_6_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 8, 16);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_6_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 16, 24);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_6_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 24, 32);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_6_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 32, 36);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+        prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
+        const prt__vec t1 = z * z;
+        const prt__vec t2 = PRT__R(0.946174695757560018093) * t1 - PRT__R(0.315391565252520006031);
+        prt__vec_store(out + 6 * stride, t2);
+        const prt__vec t3 = PRT__R(1.86588166295057695707) * t1 - PRT__R(1.11952899777034617424);
+        const prt__vec t4 = z * t3;
+        prt__vec_store(out + 12 * stride, t4);
+        const prt__vec t5 = PRT__R(4.13572565211287073036) * t2 - PRT__R(0.745355992499929898803);
+        const prt__vec t6 = t2 * t5 - PRT__R(0.329110590402857834053);
+        prt__vec_store(out + 20 * stride, t6);
+        prt__vec_store(out + 30 * stride, PRT__R(1.98997487421323990947) * (z * t6) - PRT__R(1.00285307284481394976) * t4);
+        prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
+        prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = PRT__R(1.09254843059207907054) * z;
+        prt__vec_store(out + 5 * stride, y * t1);
+        prt__vec_store(out + 7 * stride, x * t1);
+        const prt__vec t2 = z * z;
+        const prt__vec t3 = PRT__R(2.28522899732232868079) * t2 - PRT__R(0.457045799464465736158);
+        prt__vec_store(out + 11 * stride, y * t3);
+        prt__vec_store(out + 13 * stride, x * t3);
+        const prt__vec t4 = PRT__R(4.68332580490102417566) * t2 - PRT__R(2.00713963067186750386);
+        const prt__vec t5 = z * t4;
+        prt__vec_store(out + 19 * stride, y * t5);
+        prt__vec_store(out + 21 * stride, x * t5);
+        const prt__vec t6 = PRT__R(1.82140655598655998134) * t3 - PRT__R(1.10995495404092863574);
+        const prt__vec t7 = t3 * t6 - PRT__R(0.434828785147869044447);
+        prt__vec_store(out + 29 * stride, y * t7);
+        prt__vec_store(out + 31 * stride, x * t7);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = y * x;
+        const prt__vec t2 = t1 + t1;
+        prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t2);
+        const prt__vec t3 = (y + x) * (x - y);
+        prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t3);
+        const prt__vec t4 = PRT__R(1.44530572132027702769) * z;
+        prt__vec_store(out + 10 * stride, t2 * t4);
+        prt__vec_store(out + 14 * stride, t3 * t4);
+        const prt__vec t5 = z * z;
+        const prt__vec t6 = PRT__R(3.31161143515146006332) * t5 - PRT__R(0.473087347878780009046);
+        prt__vec_store(out + 18 * stride, t2 * t6);
+        prt__vec_store(out + 22 * stride, t3 * t6);
+        const prt__vec t7 = PRT__R(7.1903051774599856325) * t5 - PRT__R(2.3967683924866618775);
+        const prt__vec t8 = z * t7;
+        prt__vec_store(out + 28 * stride, t2 * t8);
+        prt__vec_store(out + 32 * stride, t3 * t8);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = (y + x) * (x - y);
+        const prt__vec t2 = y * y;
+        const prt__vec t3 = t1 + t2;
+        const prt__vec t4 = y * (t1 + (t3 + t3));
+        prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * t4);
+        const prt__vec t5 = x * (t1 - (t2 + t2));
+        prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * t5);
+        const prt__vec t6 = PRT__R(1.77013076977993053104) * z;
+        prt__vec_store(out + 17 * stride, t4 * t6);
+        prt__vec_store(out + 23 * stride, t5 * t6);
+        const prt__vec t7 = PRT__R(4.40314469491725348916) * (z * z) - PRT__R(0.489238299435250387684);
+        prt__vec_store(out + 27 * stride, t4 * t7);
+        prt__vec_store(out + 33 * stride, t5 * t7);
+        const prt__vec t8 = y * x;
+        const prt__vec t9 = t8 + t8;
+        const prt__vec t10 = t1 * t9;
+        prt__vec_store(out + 16 * stride, PRT__R(0.625835735449176134587) * (t10 + t10));
+        prt__vec_store(out + 24 * stride, PRT__R(0.625835735449176134587) * ((t1 + t9) * (t1 - t9)));
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = (y + x) * (x - y);
+        const prt__vec t2 = y * x;
+        const prt__vec t3 = t2 + t2;
+        const prt__vec t4 = t1 * t3;
+        const prt__vec t5 = t4 + t4;
+        const prt__vec t6 = PRT__R(2.075662314881041279) * z;
+        prt__vec_store(out + 26 * stride, t5 * t6);
+        const prt__vec t7 = (t1 + t3) * (t1 - t3);
+        prt__vec_store(out + 34 * stride, t7 * t6);
+        prt__vec_store(out + 25 * stride, PRT__R(0.656382056840170102814) * (y * t7 + x * t5));
+        prt__vec_store(out + 35 * stride, PRT__R(0.656382056840170102814) * (x * t7 - y * t5));
+    }
 }
 
 /* SH basis, 7 bands: 90 multiplications, 34 additions (20 can fuse), 49 stores */
@@ -7303,118 +7341,164 @@ PRT__STATIC void prt__sh_eval_7(prt_real x, prt_real y, prt_real z, prt_real *PR
 }
 
 /* SH basis, 7 bands: 90 multiplications, 34 additions (20 can fuse), 49 stores */
-PRT__INLINE void prt__sh_eval_7_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, 
-    size_t stride, int first, int last) {
-    if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
-    if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
-    const prt__vec t1 = z * z;
-    const prt__vec t2 = PRT__R(0.946174695757560018093) * t1 - PRT__R(0.315391565252520006031);
-    if (first <= 2 && 2 < last) prt__vec_store(out + 6 * stride, t2);
-    const prt__vec t3 = PRT__R(1.86588166295057695707) * t1 - PRT__R(1.11952899777034617424);
-    const prt__vec t4 = z * t3;
-    if (first <= 3 && 3 < last) prt__vec_store(out + 12 * stride, t4);
-    const prt__vec t5 = PRT__R(4.13572565211287073036) * t2 - PRT__R(0.745355992499929898803);
-    const prt__vec t6 = t2 * t5 - PRT__R(0.329110590402857834053);
-    if (first <= 4 && 4 < last) prt__vec_store(out + 20 * stride, t6);
-    const prt__vec t7 = PRT__R(1.98997487421323990947) * (z * t6) - PRT__R(1.00285307284481394976) * t4;
-    if (first <= 5 && 5 < last) prt__vec_store(out + 30 * stride, t7);
-    if (first <= 6 && 6 < last)
-        prt__vec_store(out + 42 * stride, PRT__R(1.99304345718356633685) * (z * t7) - PRT__R(1.00154202096221924809) * t6);
-    if (first <= 7 && 7 < last) prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
-    if (first <= 8 && 8 < last) prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
-    const prt__vec t8 = PRT__R(1.09254843059207907054) * z;
-    if (first <= 9 && 9 < last) prt__vec_store(out + 5 * stride, y * t8);
-    if (first <= 10 && 10 < last) prt__vec_store(out + 7 * stride, x * t8);
-    const prt__vec t9 = PRT__R(2.28522899732232868079) * t1 - PRT__R(0.457045799464465736158);
-    if (first <= 11 && 11 < last) prt__vec_store(out + 11 * stride, y * t9);
-    if (first <= 12 && 12 < last) prt__vec_store(out + 13 * stride, x * t9);
-    const prt__vec t10 = PRT__R(4.68332580490102417566) * t1 - PRT__R(2.00713963067186750386);
-    const prt__vec t11 = z * t10;
-    if (first <= 13 && 13 < last) prt__vec_store(out + 19 * stride, y * t11);
-    if (first <= 14 && 14 < last) prt__vec_store(out + 21 * stride, x * t11);
-    const prt__vec t12 = PRT__R(1.82140655598655998134) * t9 - PRT__R(1.10995495404092863574);
-    const prt__vec t13 = t9 * t12 - PRT__R(0.434828785147869044447);
-    if (first <= 15 && 15 < last) prt__vec_store(out + 29 * stride, y * t13);
-    if (first <= 16 && 16 < last) prt__vec_store(out + 31 * stride, x * t13);
-    const prt__vec t14 = PRT__R(2.02131498923702777609) * (z * t13) - PRT__R(0.995226703056238577025) * t11;
-    if (first <= 17 && 17 < last) prt__vec_store(out + 41 * stride, y * t14);
-    if (first <= 18 && 18 < last) prt__vec_store(out + 43 * stride, x * t14);
-    const prt__vec t15 = y * x;
-    const prt__vec t16 = t15 + t15;
-    if (first <= 19 && 19 < last) prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t16);
-    const prt__vec t17 = (y + x) * (x - y);
-    if (first <= 20 && 20 < last) prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t17);
-    const prt__vec t18 = PRT__R(1.44530572132027702769) * z;
-    if (first <= 21 && 21 < last) prt__vec_store(out + 10 * stride, t16 * t18);
-    if (first <= 22 && 22 < last) prt__vec_store(out + 14 * stride, t17 * t18);
-    const prt__vec t19 = PRT__R(3.31161143515146006332) * t1 - PRT__R(0.473087347878780009046);
-    if (first <= 23 && 23 < last) prt__vec_store(out + 18 * stride, t16 * t19);
-    if (first <= 24 && 24 < last) prt__vec_store(out + 22 * stride, t17 * t19);
-    const prt__vec t20 = PRT__R(7.1903051774599856325) * t1 - PRT__R(2.3967683924866618775);
-    const prt__vec t21 = z * t20;
-    if (first <= 25 && 25 < last) prt__vec_store(out + 28 * stride, t16 * t21);
-    if (first <= 26 && 26 < last) prt__vec_store(out + 32 * stride, t17 * t21);
-    const prt__vec t22 = PRT__R(1.38599481613688115647) * t19 - PRT__R(1.19217565770897169497);
-    const prt__vec t23 = t19 * t22 - PRT__R(0.413602361414863611859);
-    if (first <= 27 && 27 < last) prt__vec_store(out + 40 * stride, t16 * t23);
-    if (first <= 28 && 28 < last) prt__vec_store(out + 44 * stride, t17 * t23);
-    const prt__vec t24 = y * y;
-    const prt__vec t25 = t17 + t24;
-    const prt__vec t26 = y * (t17 + (t25 + t25));
-    if (first <= 29 && 29 < last) prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * t26);
-    const prt__vec t27 = x * (t17 - (t24 + t24));
-    if (first <= 30 && 30 < last) prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * t27);
-    const prt__vec t28 = PRT__R(1.77013076977993053104) * z;
-    if (first <= 31 && 31 < last) prt__vec_store(out + 17 * stride, t26 * t28);
-    if (first <= 32 && 32 < last) prt__vec_store(out + 23 * stride, t27 * t28);
-    const prt__vec t29 = PRT__R(4.40314469491725348916) * t1 - PRT__R(0.489238299435250387684);
-    if (first <= 33 && 33 < last) prt__vec_store(out + 27 * stride, t26 * t29);
-    if (first <= 34 && 34 < last) prt__vec_store(out + 33 * stride, t27 * t29);
-    const prt__vec t30 = PRT__R(10.1332578546641584906) * t1 - PRT__R(2.76361577854477049742);
-    const prt__vec t31 = z * t30;
-    if (first <= 35 && 35 < last) prt__vec_store(out + 39 * stride, t26 * t31);
-    if (first <= 36 && 36 < last) prt__vec_store(out + 45 * stride, t27 * t31);
-    const prt__vec t32 = t17 * t16;
-    const prt__vec t33 = t32 + t32;
-    if (first <= 37 && 37 < last) prt__vec_store(out + 16 * stride, PRT__R(0.625835735449176134587) * t33);
-    const prt__vec t34 = (t17 + t16) * (t17 - t16);
-    if (first <= 38 && 38 < last) prt__vec_store(out + 24 * stride, PRT__R(0.625835735449176134587) * t34);
-    const prt__vec t35 = PRT__R(2.075662314881041279) * z;
-    if (first <= 39 && 39 < last) prt__vec_store(out + 26 * stride, t33 * t35);
-    if (first <= 40 && 40 < last) prt__vec_store(out + 34 * stride, t34 * t35);
-    const prt__vec t36 = PRT__R(5.5502139080159657518) * t1 - PRT__R(0.504564900728724159254);
-    if (first <= 41 && 41 < last) prt__vec_store(out + 38 * stride, t33 * t36);
-    if (first <= 42 && 42 < last) prt__vec_store(out + 46 * stride, t34 * t36);
-    const prt__vec t37 = y * t34 + x * t33;
-    if (first <= 43 && 43 < last) prt__vec_store(out + 25 * stride, PRT__R(0.656382056840170102814) * t37);
-    const prt__vec t38 = x * t34 - y * t33;
-    if (first <= 44 && 44 < last) prt__vec_store(out + 35 * stride, PRT__R(0.656382056840170102814) * t38);
-    const prt__vec t39 = PRT__R(2.36661916223175203199) * z;
-    if (first <= 45 && 45 < last) prt__vec_store(out + 37 * stride, t37 * t39);
-    if (first <= 46 && 46 < last) prt__vec_store(out + 47 * stride, t38 * t39);
-    const prt__vec t40 = t27 * t26;
-    if (first <= 47 && 47 < last) prt__vec_store(out + 36 * stride, PRT__R(0.683184105191914321975) * (t40 + t40));
-    if (first <= 48 && 48 < last)
-        prt__vec_store(out + 48 * stride, PRT__R(0.683184105191914321975) * ((t27 + t26) * (t27 - t26)));
-}
-
-PRT__STATIC void prt__sh_eval_7_v(int vectors, const prt_real *x, const prt_real *y, const prt_real *z,
-    prt_real *PRT__RESTRICT out, size_t stride) {
+PRT__STATIC void prt__sh_eval_7_v(int vectors, const prt_real *xs, const prt_real *ys, const prt_real *zs,
+    prt_real *PRT__RESTRICT rows, size_t stride) {
     int k;
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_7_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 0, 7);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_7_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 7, 14);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_7_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 14, 21);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_7_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 21, 28);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_7_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 28, 35);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_7_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 35, 42);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_7_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 42, 49);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+        prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
+        const prt__vec t1 = z * z;
+        const prt__vec t2 = PRT__R(0.946174695757560018093) * t1 - PRT__R(0.315391565252520006031);
+        prt__vec_store(out + 6 * stride, t2);
+        const prt__vec t3 = PRT__R(1.86588166295057695707) * t1 - PRT__R(1.11952899777034617424);
+        const prt__vec t4 = z * t3;
+        prt__vec_store(out + 12 * stride, t4);
+        const prt__vec t5 = PRT__R(4.13572565211287073036) * t2 - PRT__R(0.745355992499929898803);
+        const prt__vec t6 = t2 * t5 - PRT__R(0.329110590402857834053);
+        prt__vec_store(out + 20 * stride, t6);
+        const prt__vec t7 = PRT__R(1.98997487421323990947) * (z * t6) - PRT__R(1.00285307284481394976) * t4;
+        prt__vec_store(out + 30 * stride, t7);
+        prt__vec_store(out + 42 * stride, PRT__R(1.99304345718356633685) * (z * t7) - PRT__R(1.00154202096221924809) * t6);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
+        prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
+        const prt__vec t1 = PRT__R(1.09254843059207907054) * z;
+        prt__vec_store(out + 5 * stride, y * t1);
+        prt__vec_store(out + 7 * stride, x * t1);
+        const prt__vec t2 = z * z;
+        const prt__vec t3 = PRT__R(2.28522899732232868079) * t2 - PRT__R(0.457045799464465736158);
+        prt__vec_store(out + 11 * stride, y * t3);
+        prt__vec_store(out + 13 * stride, x * t3);
+        const prt__vec t4 = PRT__R(4.68332580490102417566) * t2 - PRT__R(2.00713963067186750386);
+        prt__vec_store(out + 19 * stride, y * (z * t4));
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = z * z;
+        const prt__vec t2 = PRT__R(4.68332580490102417566) * t1 - PRT__R(2.00713963067186750386);
+        const prt__vec t3 = z * t2;
+        prt__vec_store(out + 21 * stride, x * t3);
+        const prt__vec t4 = PRT__R(2.28522899732232868079) * t1 - PRT__R(0.457045799464465736158);
+        const prt__vec t5 = PRT__R(1.82140655598655998134) * t4 - PRT__R(1.10995495404092863574);
+        const prt__vec t6 = t4 * t5 - PRT__R(0.434828785147869044447);
+        prt__vec_store(out + 29 * stride, y * t6);
+        prt__vec_store(out + 31 * stride, x * t6);
+        const prt__vec t7 = PRT__R(2.02131498923702777609) * (z * t6) - PRT__R(0.995226703056238577025) * t3;
+        prt__vec_store(out + 41 * stride, y * t7);
+        prt__vec_store(out + 43 * stride, x * t7);
+        const prt__vec t8 = y * x;
+        prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * (t8 + t8));
+        prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * ((y + x) * (x - y)));
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = y * x;
+        const prt__vec t2 = t1 + t1;
+        const prt__vec t3 = PRT__R(1.44530572132027702769) * z;
+        prt__vec_store(out + 10 * stride, t2 * t3);
+        const prt__vec t4 = (y + x) * (x - y);
+        prt__vec_store(out + 14 * stride, t4 * t3);
+        const prt__vec t5 = z * z;
+        const prt__vec t6 = PRT__R(3.31161143515146006332) * t5 - PRT__R(0.473087347878780009046);
+        prt__vec_store(out + 18 * stride, t2 * t6);
+        prt__vec_store(out + 22 * stride, t4 * t6);
+        const prt__vec t7 = PRT__R(7.1903051774599856325) * t5 - PRT__R(2.3967683924866618775);
+        const prt__vec t8 = z * t7;
+        prt__vec_store(out + 28 * stride, t2 * t8);
+        prt__vec_store(out + 32 * stride, t4 * t8);
+        const prt__vec t9 = PRT__R(1.38599481613688115647) * t6 - PRT__R(1.19217565770897169497);
+        prt__vec_store(out + 40 * stride, t2 * (t6 * t9 - PRT__R(0.413602361414863611859)));
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = (y + x) * (x - y);
+        const prt__vec t2 = z * z;
+        const prt__vec t3 = PRT__R(3.31161143515146006332) * t2 - PRT__R(0.473087347878780009046);
+        const prt__vec t4 = PRT__R(1.38599481613688115647) * t3 - PRT__R(1.19217565770897169497);
+        prt__vec_store(out + 44 * stride, t1 * (t3 * t4 - PRT__R(0.413602361414863611859)));
+        const prt__vec t5 = y * y;
+        const prt__vec t6 = t1 + t5;
+        const prt__vec t7 = y * (t1 + (t6 + t6));
+        prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * t7);
+        const prt__vec t8 = x * (t1 - (t5 + t5));
+        prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * t8);
+        const prt__vec t9 = PRT__R(1.77013076977993053104) * z;
+        prt__vec_store(out + 17 * stride, t7 * t9);
+        prt__vec_store(out + 23 * stride, t8 * t9);
+        const prt__vec t10 = PRT__R(4.40314469491725348916) * t2 - PRT__R(0.489238299435250387684);
+        prt__vec_store(out + 27 * stride, t7 * t10);
+        prt__vec_store(out + 33 * stride, t8 * t10);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = (y + x) * (x - y);
+        const prt__vec t2 = y * y;
+        const prt__vec t3 = t1 + t2;
+        const prt__vec t4 = z * z;
+        const prt__vec t5 = PRT__R(10.1332578546641584906) * t4 - PRT__R(2.76361577854477049742);
+        const prt__vec t6 = z * t5;
+        prt__vec_store(out + 39 * stride, (y * (t1 + (t3 + t3))) * t6);
+        prt__vec_store(out + 45 * stride, (x * (t1 - (t2 + t2))) * t6);
+        const prt__vec t7 = y * x;
+        const prt__vec t8 = t7 + t7;
+        const prt__vec t9 = t1 * t8;
+        const prt__vec t10 = t9 + t9;
+        prt__vec_store(out + 16 * stride, PRT__R(0.625835735449176134587) * t10);
+        const prt__vec t11 = (t1 + t8) * (t1 - t8);
+        prt__vec_store(out + 24 * stride, PRT__R(0.625835735449176134587) * t11);
+        const prt__vec t12 = PRT__R(2.075662314881041279) * z;
+        prt__vec_store(out + 26 * stride, t10 * t12);
+        prt__vec_store(out + 34 * stride, t11 * t12);
+        const prt__vec t13 = PRT__R(5.5502139080159657518) * t4 - PRT__R(0.504564900728724159254);
+        prt__vec_store(out + 38 * stride, t10 * t13);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = (y + x) * (x - y);
+        const prt__vec t2 = y * x;
+        const prt__vec t3 = t2 + t2;
+        const prt__vec t4 = (t1 + t3) * (t1 - t3);
+        const prt__vec t5 = PRT__R(5.5502139080159657518) * (z * z) - PRT__R(0.504564900728724159254);
+        prt__vec_store(out + 46 * stride, t4 * t5);
+        const prt__vec t6 = t1 * t3;
+        const prt__vec t7 = t6 + t6;
+        const prt__vec t8 = y * t4 + x * t7;
+        prt__vec_store(out + 25 * stride, PRT__R(0.656382056840170102814) * t8);
+        const prt__vec t9 = x * t4 - y * t7;
+        prt__vec_store(out + 35 * stride, PRT__R(0.656382056840170102814) * t9);
+        const prt__vec t10 = PRT__R(2.36661916223175203199) * z;
+        prt__vec_store(out + 37 * stride, t8 * t10);
+        prt__vec_store(out + 47 * stride, t9 * t10);
+        const prt__vec t11 = y * y;
+        const prt__vec t12 = x * (t1 - (t11 + t11));
+        const prt__vec t13 = t1 + t11;
+        const prt__vec t14 = y * (t1 + (t13 + t13));
+        const prt__vec t15 = t12 * t14;
+        prt__vec_store(out + 36 * stride, PRT__R(0.683184105191914321975) * (t15 + t15));
+        prt__vec_store(out + 48 * stride, PRT__R(0.683184105191914321975) * ((t12 + t14) * (t12 - t14)));
+    }
 }
 
 /* SH basis, 8 bands: 123 multiplications, 43 additions (29 can fuse), 64 stores */
@@ -7537,147 +7621,209 @@ PRT__STATIC void prt__sh_eval_8(prt_real x, prt_real y, prt_real z, prt_real *PR
 }
 
 /* SH basis, 8 bands: 123 multiplications, 43 additions (29 can fuse), 64 stores */
-PRT__INLINE void prt__sh_eval_8_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, 
-    size_t stride, int first, int last) {
-    if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
-    if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
-    const prt__vec t1 = z * z;
-    const prt__vec t2 = PRT__R(0.946174695757560018093) * t1 - PRT__R(0.315391565252520006031);
-    if (first <= 2 && 2 < last) prt__vec_store(out + 6 * stride, t2);
-    const prt__vec t3 = PRT__R(1.86588166295057695707) * t1 - PRT__R(1.11952899777034617424);
-    const prt__vec t4 = z * t3;
-    if (first <= 3 && 3 < last) prt__vec_store(out + 12 * stride, t4);
-    const prt__vec t5 = PRT__R(4.13572565211287073036) * t2 - PRT__R(0.745355992499929898803);
-    const prt__vec t6 = t2 * t5 - PRT__R(0.329110590402857834053);
-    if (first <= 4 && 4 < last) prt__vec_store(out + 20 * stride, t6);
-    const prt__vec t7 = PRT__R(1.98997487421323990947) * (z * t6) - PRT__R(1.00285307284481394976) * t4;
-    if (first <= 5 && 5 < last) prt__vec_store(out + 30 * stride, t7);
-    const prt__vec t8 = PRT__R(1.99304345718356633685) * (z * t7) - PRT__R(1.00154202096221924809) * t6;
-    if (first <= 6 && 6 < last) prt__vec_store(out + 42 * stride, t8);
-    if (first <= 7 && 7 < last)
-        prt__vec_store(out + 56 * stride, PRT__R(1.99489143482413445284) * (z * t8) - PRT__R(1.00092721392195810546) * t7);
-    if (first <= 8 && 8 < last) prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
-    if (first <= 9 && 9 < last) prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
-    const prt__vec t9 = PRT__R(1.09254843059207907054) * z;
-    if (first <= 10 && 10 < last) prt__vec_store(out + 5 * stride, y * t9);
-    if (first <= 11 && 11 < last) prt__vec_store(out + 7 * stride, x * t9);
-    const prt__vec t10 = PRT__R(2.28522899732232868079) * t1 - PRT__R(0.457045799464465736158);
-    if (first <= 12 && 12 < last) prt__vec_store(out + 11 * stride, y * t10);
-    if (first <= 13 && 13 < last) prt__vec_store(out + 13 * stride, x * t10);
-    const prt__vec t11 = PRT__R(4.68332580490102417566) * t1 - PRT__R(2.00713963067186750386);
-    const prt__vec t12 = z * t11;
-    if (first <= 14 && 14 < last) prt__vec_store(out + 19 * stride, y * t12);
-    if (first <= 15 && 15 < last) prt__vec_store(out + 21 * stride, x * t12);
-    const prt__vec t13 = PRT__R(1.82140655598655998134) * t10 - PRT__R(1.10995495404092863574);
-    const prt__vec t14 = t10 * t13 - PRT__R(0.434828785147869044447);
-    if (first <= 16 && 16 < last) prt__vec_store(out + 29 * stride, y * t14);
-    if (first <= 17 && 17 < last) prt__vec_store(out + 31 * stride, x * t14);
-    const prt__vec t15 = PRT__R(2.02131498923702777609) * (z * t14) - PRT__R(0.995226703056238577025) * t12;
-    if (first <= 18 && 18 < last) prt__vec_store(out + 41 * stride, y * t15);
-    if (first <= 19 && 19 < last) prt__vec_store(out + 43 * stride, x * t15);
-    const prt__vec t16 = PRT__R(2.01556443707463741309) * (z * t15) - PRT__R(0.997155044021832052319) * t14;
-    if (first <= 20 && 20 < last) prt__vec_store(out + 55 * stride, y * t16);
-    if (first <= 21 && 21 < last) prt__vec_store(out + 57 * stride, x * t16);
-    const prt__vec t17 = y * x;
-    const prt__vec t18 = t17 + t17;
-    if (first <= 22 && 22 < last) prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t18);
-    const prt__vec t19 = (y + x) * (x - y);
-    if (first <= 23 && 23 < last) prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t19);
-    const prt__vec t20 = PRT__R(1.44530572132027702769) * z;
-    if (first <= 24 && 24 < last) prt__vec_store(out + 10 * stride, t18 * t20);
-    if (first <= 25 && 25 < last) prt__vec_store(out + 14 * stride, t19 * t20);
-    const prt__vec t21 = PRT__R(3.31161143515146006332) * t1 - PRT__R(0.473087347878780009046);
-    if (first <= 26 && 26 < last) prt__vec_store(out + 18 * stride, t18 * t21);
-    if (first <= 27 && 27 < last) prt__vec_store(out + 22 * stride, t19 * t21);
-    const prt__vec t22 = PRT__R(7.1903051774599856325) * t1 - PRT__R(2.3967683924866618775);
-    const prt__vec t23 = z * t22;
-    if (first <= 28 && 28 < last) prt__vec_store(out + 28 * stride, t18 * t23);
-    if (first <= 29 && 29 < last) prt__vec_store(out + 32 * stride, t19 * t23);
-    const prt__vec t24 = PRT__R(1.38599481613688115647) * t21 - PRT__R(1.19217565770897169497);
-    const prt__vec t25 = t21 * t24 - PRT__R(0.413602361414863611859);
-    if (first <= 30 && 30 < last) prt__vec_store(out + 40 * stride, t18 * t25);
-    if (first <= 31 && 31 < last) prt__vec_store(out + 44 * stride, t19 * t25);
-    const prt__vec t26 = PRT__R(2.08166599946613273528) * (z * t25) - PRT__R(0.984731927834661861874) * t23;
-    if (first <= 32 && 32 < last) prt__vec_store(out + 54 * stride, t18 * t26);
-    if (first <= 33 && 33 < last) prt__vec_store(out + 58 * stride, t19 * t26);
-    const prt__vec t27 = y * y;
-    const prt__vec t28 = t19 + t27;
-    const prt__vec t29 = y * (t19 + (t28 + t28));
-    if (first <= 34 && 34 < last) prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * t29);
-    const prt__vec t30 = x * (t19 - (t27 + t27));
-    if (first <= 35 && 35 < last) prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * t30);
-    const prt__vec t31 = PRT__R(1.77013076977993053104) * z;
-    if (first <= 36 && 36 < last) prt__vec_store(out + 17 * stride, t29 * t31);
-    if (first <= 37 && 37 < last) prt__vec_store(out + 23 * stride, t30 * t31);
-    const prt__vec t32 = PRT__R(4.40314469491725348916) * t1 - PRT__R(0.489238299435250387684);
-    if (first <= 38 && 38 < last) prt__vec_store(out + 27 * stride, t29 * t32);
-    if (first <= 39 && 39 < last) prt__vec_store(out + 33 * stride, t30 * t32);
-    const prt__vec t33 = PRT__R(10.1332578546641584906) * t1 - PRT__R(2.76361577854477049742);
-    const prt__vec t34 = z * t33;
-    if (first <= 40 && 40 < last) prt__vec_store(out + 39 * stride, t29 * t34);
-    if (first <= 41 && 41 < last) prt__vec_store(out + 45 * stride, t30 * t34);
-    const prt__vec t35 = PRT__R(1.15401243699174093424) * t32 - PRT__R(1.21603371550977803267);
-    const prt__vec t36 = t32 * t35 - PRT__R(0.401771089424162456772);
-    if (first <= 42 && 42 < last) prt__vec_store(out + 53 * stride, t29 * t36);
-    if (first <= 43 && 43 < last) prt__vec_store(out + 59 * stride, t30 * t36);
-    const prt__vec t37 = t19 * t18;
-    const prt__vec t38 = t37 + t37;
-    if (first <= 44 && 44 < last) prt__vec_store(out + 16 * stride, PRT__R(0.625835735449176134587) * t38);
-    const prt__vec t39 = (t19 + t18) * (t19 - t18);
-    if (first <= 45 && 45 < last) prt__vec_store(out + 24 * stride, PRT__R(0.625835735449176134587) * t39);
-    const prt__vec t40 = PRT__R(2.075662314881041279) * z;
-    if (first <= 46 && 46 < last) prt__vec_store(out + 26 * stride, t38 * t40);
-    if (first <= 47 && 47 < last) prt__vec_store(out + 34 * stride, t39 * t40);
-    const prt__vec t41 = PRT__R(5.5502139080159657518) * t1 - PRT__R(0.504564900728724159254);
-    if (first <= 48 && 48 < last) prt__vec_store(out + 38 * stride, t38 * t41);
-    if (first <= 49 && 49 < last) prt__vec_store(out + 46 * stride, t39 * t41);
-    const prt__vec t42 = PRT__R(13.4918050467267683135) * t1 - PRT__R(3.11349347232156191849);
-    const prt__vec t43 = z * t42;
-    if (first <= 50 && 50 < last) prt__vec_store(out + 52 * stride, t38 * t43);
-    if (first <= 51 && 51 < last) prt__vec_store(out + 60 * stride, t39 * t43);
-    const prt__vec t44 = y * t39 + x * t38;
-    if (first <= 52 && 52 < last) prt__vec_store(out + 25 * stride, PRT__R(0.656382056840170102814) * t44);
-    const prt__vec t45 = x * t39 - y * t38;
-    if (first <= 53 && 53 < last) prt__vec_store(out + 35 * stride, PRT__R(0.656382056840170102814) * t45);
-    const prt__vec t46 = PRT__R(2.36661916223175203199) * z;
-    if (first <= 54 && 54 < last) prt__vec_store(out + 37 * stride, t44 * t46);
-    if (first <= 55 && 55 < last) prt__vec_store(out + 47 * stride, t45 * t46);
-    const prt__vec t47 = PRT__R(6.74590252336338415674) * t1 - PRT__R(0.518915578720260319749);
-    if (first <= 56 && 56 < last) prt__vec_store(out + 51 * stride, t44 * t47);
-    if (first <= 57 && 57 < last) prt__vec_store(out + 61 * stride, t45 * t47);
-    const prt__vec t48 = t30 * t29;
-    const prt__vec t49 = t48 + t48;
-    if (first <= 58 && 58 < last) prt__vec_store(out + 36 * stride, PRT__R(0.683184105191914321975) * t49);
-    const prt__vec t50 = (t30 + t29) * (t30 - t29);
-    if (first <= 59 && 59 < last) prt__vec_store(out + 48 * stride, PRT__R(0.683184105191914321975) * t50);
-    const prt__vec t51 = PRT__R(2.64596066180190022197) * z;
-    if (first <= 60 && 60 < last) prt__vec_store(out + 50 * stride, t49 * t51);
-    if (first <= 61 && 61 < last) prt__vec_store(out + 62 * stride, t50 * t51);
-    if (first <= 62 && 62 < last)
-        prt__vec_store(out + 49 * stride, PRT__R(0.707162732524596178226) * (y * t50 + x * t49));
-    if (first <= 63 && 63 < last)
-        prt__vec_store(out + 63 * stride, PRT__R(0.707162732524596178226) * (x * t50 - y * t49));
-}
-
-PRT__STATIC void prt__sh_eval_8_v(int vectors, const prt_real *x, const prt_real *y, const prt_real *z,
-    prt_real *PRT__RESTRICT out, size_t stride) {
+PRT__STATIC void prt__sh_eval_8_v(int vectors, const prt_real *xs, const prt_real *ys, const prt_real *zs,
+    prt_real *PRT__RESTRICT rows, size_t stride) {
     int k;
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_8_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 0, 8);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_8_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 8, 16);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_8_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 16, 24);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_8_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 24, 32);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_8_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 32, 40);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_8_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 40, 48);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_8_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 48, 56);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_8_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 56, 64);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+        prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
+        const prt__vec t1 = z * z;
+        const prt__vec t2 = PRT__R(0.946174695757560018093) * t1 - PRT__R(0.315391565252520006031);
+        prt__vec_store(out + 6 * stride, t2);
+        const prt__vec t3 = PRT__R(1.86588166295057695707) * t1 - PRT__R(1.11952899777034617424);
+        const prt__vec t4 = z * t3;
+        prt__vec_store(out + 12 * stride, t4);
+        const prt__vec t5 = PRT__R(4.13572565211287073036) * t2 - PRT__R(0.745355992499929898803);
+        const prt__vec t6 = t2 * t5 - PRT__R(0.329110590402857834053);
+        prt__vec_store(out + 20 * stride, t6);
+        const prt__vec t7 = PRT__R(1.98997487421323990947) * (z * t6) - PRT__R(1.00285307284481394976) * t4;
+        prt__vec_store(out + 30 * stride, t7);
+        const prt__vec t8 = PRT__R(1.99304345718356633685) * (z * t7) - PRT__R(1.00154202096221924809) * t6;
+        prt__vec_store(out + 42 * stride, t8);
+        prt__vec_store(out + 56 * stride, PRT__R(1.99489143482413445284) * (z * t8) - PRT__R(1.00092721392195810546) * t7);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
+        prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
+        const prt__vec t1 = PRT__R(1.09254843059207907054) * z;
+        prt__vec_store(out + 5 * stride, y * t1);
+        prt__vec_store(out + 7 * stride, x * t1);
+        const prt__vec t2 = z * z;
+        const prt__vec t3 = PRT__R(2.28522899732232868079) * t2 - PRT__R(0.457045799464465736158);
+        prt__vec_store(out + 11 * stride, y * t3);
+        prt__vec_store(out + 13 * stride, x * t3);
+        const prt__vec t4 = PRT__R(4.68332580490102417566) * t2 - PRT__R(2.00713963067186750386);
+        const prt__vec t5 = z * t4;
+        prt__vec_store(out + 19 * stride, y * t5);
+        prt__vec_store(out + 21 * stride, x * t5);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = z * z;
+        const prt__vec t2 = PRT__R(2.28522899732232868079) * t1 - PRT__R(0.457045799464465736158);
+        const prt__vec t3 = PRT__R(1.82140655598655998134) * t2 - PRT__R(1.10995495404092863574);
+        const prt__vec t4 = t2 * t3 - PRT__R(0.434828785147869044447);
+        prt__vec_store(out + 29 * stride, y * t4);
+        prt__vec_store(out + 31 * stride, x * t4);
+        const prt__vec t5 = PRT__R(4.68332580490102417566) * t1 - PRT__R(2.00713963067186750386);
+        const prt__vec t6 = PRT__R(2.02131498923702777609) * (z * t4) - PRT__R(0.995226703056238577025) * (z * t5);
+        prt__vec_store(out + 41 * stride, y * t6);
+        prt__vec_store(out + 43 * stride, x * t6);
+        const prt__vec t7 = PRT__R(2.01556443707463741309) * (z * t6) - PRT__R(0.997155044021832052319) * t4;
+        prt__vec_store(out + 55 * stride, y * t7);
+        prt__vec_store(out + 57 * stride, x * t7);
+        const prt__vec t8 = y * x;
+        prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * (t8 + t8));
+        prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * ((y + x) * (x - y)));
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = y * x;
+        const prt__vec t2 = t1 + t1;
+        const prt__vec t3 = PRT__R(1.44530572132027702769) * z;
+        prt__vec_store(out + 10 * stride, t2 * t3);
+        const prt__vec t4 = (y + x) * (x - y);
+        prt__vec_store(out + 14 * stride, t4 * t3);
+        const prt__vec t5 = z * z;
+        const prt__vec t6 = PRT__R(3.31161143515146006332) * t5 - PRT__R(0.473087347878780009046);
+        prt__vec_store(out + 18 * stride, t2 * t6);
+        prt__vec_store(out + 22 * stride, t4 * t6);
+        const prt__vec t7 = PRT__R(7.1903051774599856325) * t5 - PRT__R(2.3967683924866618775);
+        const prt__vec t8 = z * t7;
+        prt__vec_store(out + 28 * stride, t2 * t8);
+        prt__vec_store(out + 32 * stride, t4 * t8);
+        const prt__vec t9 = PRT__R(1.38599481613688115647) * t6 - PRT__R(1.19217565770897169497);
+        const prt__vec t10 = t6 * t9 - PRT__R(0.413602361414863611859);
+        prt__vec_store(out + 40 * stride, t2 * t10);
+        prt__vec_store(out + 44 * stride, t4 * t10);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = y * x;
+        const prt__vec t2 = z * z;
+        const prt__vec t3 = PRT__R(3.31161143515146006332) * t2 - PRT__R(0.473087347878780009046);
+        const prt__vec t4 = PRT__R(1.38599481613688115647) * t3 - PRT__R(1.19217565770897169497);
+        const prt__vec t5 = PRT__R(2.08166599946613273528) * (z * (t3 * t4 - PRT__R(0.413602361414863611859)));
+        const prt__vec t6 = PRT__R(7.1903051774599856325) * t2 - PRT__R(2.3967683924866618775);
+        const prt__vec t7 = t5 - PRT__R(0.984731927834661861874) * (z * t6);
+        prt__vec_store(out + 54 * stride, (t1 + t1) * t7);
+        const prt__vec t8 = (y + x) * (x - y);
+        prt__vec_store(out + 58 * stride, t8 * t7);
+        const prt__vec t9 = y * y;
+        const prt__vec t10 = t8 + t9;
+        const prt__vec t11 = y * (t8 + (t10 + t10));
+        prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * t11);
+        const prt__vec t12 = x * (t8 - (t9 + t9));
+        prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * t12);
+        const prt__vec t13 = PRT__R(1.77013076977993053104) * z;
+        prt__vec_store(out + 17 * stride, t11 * t13);
+        prt__vec_store(out + 23 * stride, t12 * t13);
+        const prt__vec t14 = PRT__R(4.40314469491725348916) * t2 - PRT__R(0.489238299435250387684);
+        prt__vec_store(out + 27 * stride, t11 * t14);
+        prt__vec_store(out + 33 * stride, t12 * t14);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = (y + x) * (x - y);
+        const prt__vec t2 = y * y;
+        const prt__vec t3 = t1 + t2;
+        const prt__vec t4 = y * (t1 + (t3 + t3));
+        const prt__vec t5 = z * z;
+        const prt__vec t6 = PRT__R(10.1332578546641584906) * t5 - PRT__R(2.76361577854477049742);
+        const prt__vec t7 = z * t6;
+        prt__vec_store(out + 39 * stride, t4 * t7);
+        const prt__vec t8 = x * (t1 - (t2 + t2));
+        prt__vec_store(out + 45 * stride, t8 * t7);
+        const prt__vec t9 = PRT__R(4.40314469491725348916) * t5 - PRT__R(0.489238299435250387684);
+        const prt__vec t10 = PRT__R(1.15401243699174093424) * t9 - PRT__R(1.21603371550977803267);
+        const prt__vec t11 = t9 * t10 - PRT__R(0.401771089424162456772);
+        prt__vec_store(out + 53 * stride, t4 * t11);
+        prt__vec_store(out + 59 * stride, t8 * t11);
+        const prt__vec t12 = y * x;
+        const prt__vec t13 = t12 + t12;
+        const prt__vec t14 = t1 * t13;
+        const prt__vec t15 = t14 + t14;
+        prt__vec_store(out + 16 * stride, PRT__R(0.625835735449176134587) * t15);
+        const prt__vec t16 = (t1 + t13) * (t1 - t13);
+        prt__vec_store(out + 24 * stride, PRT__R(0.625835735449176134587) * t16);
+        const prt__vec t17 = PRT__R(2.075662314881041279) * z;
+        prt__vec_store(out + 26 * stride, t15 * t17);
+        prt__vec_store(out + 34 * stride, t16 * t17);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = (y + x) * (x - y);
+        const prt__vec t2 = y * x;
+        const prt__vec t3 = t2 + t2;
+        const prt__vec t4 = t1 * t3;
+        const prt__vec t5 = t4 + t4;
+        const prt__vec t6 = z * z;
+        const prt__vec t7 = PRT__R(5.5502139080159657518) * t6 - PRT__R(0.504564900728724159254);
+        prt__vec_store(out + 38 * stride, t5 * t7);
+        const prt__vec t8 = (t1 + t3) * (t1 - t3);
+        prt__vec_store(out + 46 * stride, t8 * t7);
+        const prt__vec t9 = PRT__R(13.4918050467267683135) * t6 - PRT__R(3.11349347232156191849);
+        const prt__vec t10 = z * t9;
+        prt__vec_store(out + 52 * stride, t5 * t10);
+        prt__vec_store(out + 60 * stride, t8 * t10);
+        const prt__vec t11 = y * t8 + x * t5;
+        prt__vec_store(out + 25 * stride, PRT__R(0.656382056840170102814) * t11);
+        const prt__vec t12 = x * t8 - y * t5;
+        prt__vec_store(out + 35 * stride, PRT__R(0.656382056840170102814) * t12);
+        const prt__vec t13 = PRT__R(2.36661916223175203199) * z;
+        prt__vec_store(out + 37 * stride, t11 * t13);
+        prt__vec_store(out + 47 * stride, t12 * t13);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = (y + x) * (x - y);
+        const prt__vec t2 = y * x;
+        const prt__vec t3 = t2 + t2;
+        const prt__vec t4 = (t1 + t3) * (t1 - t3);
+        const prt__vec t5 = t1 * t3;
+        const prt__vec t6 = t5 + t5;
+        const prt__vec t7 = PRT__R(6.74590252336338415674) * (z * z) - PRT__R(0.518915578720260319749);
+        prt__vec_store(out + 51 * stride, (y * t4 + x * t6) * t7);
+        prt__vec_store(out + 61 * stride, (x * t4 - y * t6) * t7);
+        const prt__vec t8 = y * y;
+        const prt__vec t9 = x * (t1 - (t8 + t8));
+        const prt__vec t10 = t1 + t8;
+        const prt__vec t11 = y * (t1 + (t10 + t10));
+        const prt__vec t12 = t9 * t11;
+        const prt__vec t13 = t12 + t12;
+        prt__vec_store(out + 36 * stride, PRT__R(0.683184105191914321975) * t13);
+        const prt__vec t14 = (t9 + t11) * (t9 - t11);
+        prt__vec_store(out + 48 * stride, PRT__R(0.683184105191914321975) * t14);
+        const prt__vec t15 = PRT__R(2.64596066180190022197) * z;
+        prt__vec_store(out + 50 * stride, t13 * t15);
+        prt__vec_store(out + 62 * stride, t14 * t15);
+        prt__vec_store(out + 49 * stride, PRT__R(0.707162732524596178226) * (y * t14 + x * t13));
+        prt__vec_store(out + 63 * stride, PRT__R(0.707162732524596178226) * (x * t14 - y * t13));
+    }
 }
 
 /* SH basis, 9 bands: 159 multiplications, 54 additions (37 can fuse), 81 stores */
@@ -7830,182 +7976,288 @@ PRT__STATIC void prt__sh_eval_9(prt_real x, prt_real y, prt_real z, prt_real *PR
 }
 
 /* SH basis, 9 bands: 159 multiplications, 54 additions (37 can fuse), 81 stores */
-PRT__INLINE void prt__sh_eval_9_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, 
-    size_t stride, int first, int last) {
-    if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
-    if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
-    const prt__vec t1 = z * z;
-    const prt__vec t2 = PRT__R(0.946174695757560018093) * t1 - PRT__R(0.315391565252520006031);
-    if (first <= 2 && 2 < last) prt__vec_store(out + 6 * stride, t2);
-    const prt__vec t3 = PRT__R(1.86588166295057695707) * t1 - PRT__R(1.11952899777034617424);
-    const prt__vec t4 = z * t3;
-    if (first <= 3 && 3 < last) prt__vec_store(out + 12 * stride, t4);
-    const prt__vec t5 = PRT__R(4.13572565211287073036) * t2 - PRT__R(0.745355992499929898803);
-    const prt__vec t6 = t2 * t5 - PRT__R(0.329110590402857834053);
-    if (first <= 4 && 4 < last) prt__vec_store(out + 20 * stride, t6);
-    const prt__vec t7 = PRT__R(1.98997487421323990947) * (z * t6) - PRT__R(1.00285307284481394976) * t4;
-    if (first <= 5 && 5 < last) prt__vec_store(out + 30 * stride, t7);
-    const prt__vec t8 = PRT__R(1.99304345718356633685) * (z * t7) - PRT__R(1.00154202096221924809) * t6;
-    if (first <= 6 && 6 < last) prt__vec_store(out + 42 * stride, t8);
-    const prt__vec t9 = PRT__R(1.99489143482413445284) * (z * t8) - PRT__R(1.00092721392195810546) * t7;
-    if (first <= 7 && 7 < last) prt__vec_store(out + 56 * stride, t9);
-    if (first <= 8 && 8 < last)
-        prt__vec_store(out + 72 * stride, PRT__R(1.99608992783391399988) * (z * t9) - PRT__R(1.00060078106951479479) * t8);
-    if (first <= 9 && 9 < last) prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
-    if (first <= 10 && 10 < last) prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
-    const prt__vec t10 = PRT__R(1.09254843059207907054) * z;
-    if (first <= 11 && 11 < last) prt__vec_store(out + 5 * stride, y * t10);
-    if (first <= 12 && 12 < last) prt__vec_store(out + 7 * stride, x * t10);
-    const prt__vec t11 = PRT__R(2.28522899732232868079) * t1 - PRT__R(0.457045799464465736158);
-    if (first <= 13 && 13 < last) prt__vec_store(out + 11 * stride, y * t11);
-    if (first <= 14 && 14 < last) prt__vec_store(out + 13 * stride, x * t11);
-    const prt__vec t12 = PRT__R(4.68332580490102417566) * t1 - PRT__R(2.00713963067186750386);
-    const prt__vec t13 = z * t12;
-    if (first <= 15 && 15 < last) prt__vec_store(out + 19 * stride, y * t13);
-    if (first <= 16 && 16 < last) prt__vec_store(out + 21 * stride, x * t13);
-    const prt__vec t14 = PRT__R(1.82140655598655998134) * t11 - PRT__R(1.10995495404092863574);
-    const prt__vec t15 = t11 * t14 - PRT__R(0.434828785147869044447);
-    if (first <= 17 && 17 < last) prt__vec_store(out + 29 * stride, y * t15);
-    if (first <= 18 && 18 < last) prt__vec_store(out + 31 * stride, x * t15);
-    const prt__vec t16 = PRT__R(2.02131498923702777609) * (z * t15) - PRT__R(0.995226703056238577025) * t13;
-    if (first <= 19 && 19 < last) prt__vec_store(out + 41 * stride, y * t16);
-    if (first <= 20 && 20 < last) prt__vec_store(out + 43 * stride, x * t16);
-    const prt__vec t17 = PRT__R(2.01556443707463741309) * (z * t16) - PRT__R(0.997155044021832052319) * t15;
-    if (first <= 21 && 21 < last) prt__vec_store(out + 55 * stride, y * t17);
-    if (first <= 22 && 22 < last) prt__vec_store(out + 57 * stride, x * t17);
-    const prt__vec t18 = PRT__R(2.01186954040739123146) * (z * t17) - PRT__R(0.998166817890174275952) * t16;
-    if (first <= 23 && 23 < last) prt__vec_store(out + 71 * stride, y * t18);
-    if (first <= 24 && 24 < last) prt__vec_store(out + 73 * stride, x * t18);
-    const prt__vec t19 = y * x;
-    const prt__vec t20 = t19 + t19;
-    if (first <= 25 && 25 < last) prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t20);
-    const prt__vec t21 = (y + x) * (x - y);
-    if (first <= 26 && 26 < last) prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t21);
-    const prt__vec t22 = PRT__R(1.44530572132027702769) * z;
-    if (first <= 27 && 27 < last) prt__vec_store(out + 10 * stride, t20 * t22);
-    if (first <= 28 && 28 < last) prt__vec_store(out + 14 * stride, t21 * t22);
-    const prt__vec t23 = PRT__R(3.31161143515146006332) * t1 - PRT__R(0.473087347878780009046);
-    if (first <= 29 && 29 < last) prt__vec_store(out + 18 * stride, t20 * t23);
-    if (first <= 30 && 30 < last) prt__vec_store(out + 22 * stride, t21 * t23);
-    const prt__vec t24 = PRT__R(7.1903051774599856325) * t1 - PRT__R(2.3967683924866618775);
-    const prt__vec t25 = z * t24;
-    if (first <= 31 && 31 < last) prt__vec_store(out + 28 * stride, t20 * t25);
-    if (first <= 32 && 32 < last) prt__vec_store(out + 32 * stride, t21 * t25);
-    const prt__vec t26 = PRT__R(1.38599481613688115647) * t23 - PRT__R(1.19217565770897169497);
-    const prt__vec t27 = t23 * t26 - PRT__R(0.413602361414863611859);
-    if (first <= 33 && 33 < last) prt__vec_store(out + 40 * stride, t20 * t27);
-    if (first <= 34 && 34 < last) prt__vec_store(out + 44 * stride, t21 * t27);
-    const prt__vec t28 = PRT__R(2.08166599946613273528) * (z * t27) - PRT__R(0.984731927834661861874) * t25;
-    if (first <= 35 && 35 < last) prt__vec_store(out + 54 * stride, t20 * t28);
-    if (first <= 36 && 36 < last) prt__vec_store(out + 58 * stride, t21 * t28);
-    const prt__vec t29 = PRT__R(2.06155281280883027491) * (z * t28) - PRT__R(0.990337937660287135802) * t27;
-    if (first <= 37 && 37 < last) prt__vec_store(out + 70 * stride, t20 * t29);
-    if (first <= 38 && 38 < last) prt__vec_store(out + 74 * stride, t21 * t29);
-    const prt__vec t30 = y * y;
-    const prt__vec t31 = t21 + t30;
-    const prt__vec t32 = y * (t21 + (t31 + t31));
-    if (first <= 39 && 39 < last) prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * t32);
-    const prt__vec t33 = x * (t21 - (t30 + t30));
-    if (first <= 40 && 40 < last) prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * t33);
-    const prt__vec t34 = PRT__R(1.77013076977993053104) * z;
-    if (first <= 41 && 41 < last) prt__vec_store(out + 17 * stride, t32 * t34);
-    if (first <= 42 && 42 < last) prt__vec_store(out + 23 * stride, t33 * t34);
-    const prt__vec t35 = PRT__R(4.40314469491725348916) * t1 - PRT__R(0.489238299435250387684);
-    if (first <= 43 && 43 < last) prt__vec_store(out + 27 * stride, t32 * t35);
-    if (first <= 44 && 44 < last) prt__vec_store(out + 33 * stride, t33 * t35);
-    const prt__vec t36 = PRT__R(10.1332578546641584906) * t1 - PRT__R(2.76361577854477049742);
-    const prt__vec t37 = z * t36;
-    if (first <= 45 && 45 < last) prt__vec_store(out + 39 * stride, t32 * t37);
-    if (first <= 46 && 46 < last) prt__vec_store(out + 45 * stride, t33 * t37);
-    const prt__vec t38 = PRT__R(1.15401243699174093424) * t35 - PRT__R(1.21603371550977803267);
-    const prt__vec t39 = t35 * t38 - PRT__R(0.401771089424162456772);
-    if (first <= 47 && 47 < last) prt__vec_store(out + 53 * stride, t32 * t39);
-    if (first <= 48 && 48 < last) prt__vec_store(out + 59 * stride, t33 * t39);
-    const prt__vec t40 = PRT__R(2.15322168769582022424) * (z * t39) - PRT__R(0.975217386560017729543) * t37;
-    if (first <= 49 && 49 < last) prt__vec_store(out + 69 * stride, t32 * t40);
-    if (first <= 50 && 50 < last) prt__vec_store(out + 75 * stride, t33 * t40);
-    const prt__vec t41 = t21 * t20;
-    const prt__vec t42 = t41 + t41;
-    if (first <= 51 && 51 < last) prt__vec_store(out + 16 * stride, PRT__R(0.625835735449176134587) * t42);
-    const prt__vec t43 = (t21 + t20) * (t21 - t20);
-    if (first <= 52 && 52 < last) prt__vec_store(out + 24 * stride, PRT__R(0.625835735449176134587) * t43);
-    const prt__vec t44 = PRT__R(2.075662314881041279) * z;
-    if (first <= 53 && 53 < last) prt__vec_store(out + 26 * stride, t42 * t44);
-    if (first <= 54 && 54 < last) prt__vec_store(out + 34 * stride, t43 * t44);
-    const prt__vec t45 = PRT__R(5.5502139080159657518) * t1 - PRT__R(0.504564900728724159254);
-    if (first <= 55 && 55 < last) prt__vec_store(out + 38 * stride, t42 * t45);
-    if (first <= 56 && 56 < last) prt__vec_store(out + 46 * stride, t43 * t45);
-    const prt__vec t46 = PRT__R(13.4918050467267683135) * t1 - PRT__R(3.11349347232156191849);
-    const prt__vec t47 = z * t46;
-    if (first <= 57 && 57 < last) prt__vec_store(out + 52 * stride, t42 * t47);
-    if (first <= 58 && 58 < last) prt__vec_store(out + 60 * stride, t43 * t47);
-    const prt__vec t48 = PRT__R(1.0094855015668566765) * t45 - PRT__R(1.22244228452440165368);
-    const prt__vec t49 = t45 * t48 - PRT__R(0.395385557652339419216);
-    if (first <= 59 && 59 < last) prt__vec_store(out + 68 * stride, t42 * t49);
-    if (first <= 60 && 60 < last) prt__vec_store(out + 76 * stride, t43 * t49);
-    const prt__vec t50 = y * t43 + x * t42;
-    if (first <= 61 && 61 < last) prt__vec_store(out + 25 * stride, PRT__R(0.656382056840170102814) * t50);
-    const prt__vec t51 = x * t43 - y * t42;
-    if (first <= 62 && 62 < last) prt__vec_store(out + 35 * stride, PRT__R(0.656382056840170102814) * t51);
-    const prt__vec t52 = PRT__R(2.36661916223175203199) * z;
-    if (first <= 63 && 63 < last) prt__vec_store(out + 37 * stride, t50 * t52);
-    if (first <= 64 && 64 < last) prt__vec_store(out + 47 * stride, t51 * t52);
-    const prt__vec t53 = PRT__R(6.74590252336338415674) * t1 - PRT__R(0.518915578720260319749);
-    if (first <= 65 && 65 < last) prt__vec_store(out + 51 * stride, t50 * t53);
-    if (first <= 66 && 66 < last) prt__vec_store(out + 61 * stride, t51 * t53);
-    const prt__vec t54 = PRT__R(17.2495531104905400876) * t1 - PRT__R(3.44991062209810801752);
-    const prt__vec t55 = z * t54;
-    if (first <= 67 && 67 < last) prt__vec_store(out + 67 * stride, t50 * t55);
-    if (first <= 68 && 68 < last) prt__vec_store(out + 77 * stride, t51 * t55);
-    const prt__vec t56 = t33 * t32;
-    const prt__vec t57 = t56 + t56;
-    if (first <= 69 && 69 < last) prt__vec_store(out + 36 * stride, PRT__R(0.683184105191914321975) * t57);
-    const prt__vec t58 = (t33 + t32) * (t33 - t32);
-    if (first <= 70 && 70 < last) prt__vec_store(out + 48 * stride, PRT__R(0.683184105191914321975) * t58);
-    const prt__vec t59 = PRT__R(2.64596066180190022197) * z;
-    if (first <= 71 && 71 < last) prt__vec_store(out + 50 * stride, t57 * t59);
-    if (first <= 72 && 72 < last) prt__vec_store(out + 62 * stride, t58 * t59);
-    const prt__vec t60 = PRT__R(7.98499149089313861467) * t1 - PRT__R(0.532332766059542574311);
-    if (first <= 73 && 73 < last) prt__vec_store(out + 66 * stride, t57 * t60);
-    if (first <= 74 && 74 < last) prt__vec_store(out + 78 * stride, t58 * t60);
-    const prt__vec t61 = y * t58 + x * t57;
-    if (first <= 75 && 75 < last) prt__vec_store(out + 49 * stride, PRT__R(0.707162732524596178226) * t61);
-    const prt__vec t62 = x * t58 - y * t57;
-    if (first <= 76 && 76 < last) prt__vec_store(out + 63 * stride, PRT__R(0.707162732524596178226) * t62);
-    const prt__vec t63 = PRT__R(2.91570664069931947548) * z;
-    if (first <= 77 && 77 < last) prt__vec_store(out + 65 * stride, t61 * t63);
-    if (first <= 78 && 78 < last) prt__vec_store(out + 79 * stride, t62 * t63);
-    const prt__vec t64 = t43 * t42;
-    if (first <= 79 && 79 < last) prt__vec_store(out + 64 * stride, PRT__R(0.72892666017482986887) * (t64 + t64));
-    if (first <= 80 && 80 < last)
-        prt__vec_store(out + 80 * stride, PRT__R(0.72892666017482986887) * ((t43 + t42) * (t43 - t42)));
-}
-
-PRT__STATIC void prt__sh_eval_9_v(int vectors, const prt_real *x, const prt_real *y, const prt_real *z,
-    prt_real *PRT__RESTRICT out, size_t stride) {
+PRT__STATIC void prt__sh_eval_9_v(int vectors, const prt_real *xs, const prt_real *ys, const prt_real *zs,
+    prt_real *PRT__RESTRICT rows, size_t stride) {
     int k;
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_9_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 0, 8);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_9_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 8, 16);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_9_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 16, 24);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_9_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 24, 32);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_9_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 32, 40);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_9_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 40, 48);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_9_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 48, 56);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_9_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 56, 64);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_9_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 64, 72);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_9_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 72, 80);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_9_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 80, 81);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+        prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
+        const prt__vec t1 = z * z;
+        const prt__vec t2 = PRT__R(0.946174695757560018093) * t1 - PRT__R(0.315391565252520006031);
+        prt__vec_store(out + 6 * stride, t2);
+        const prt__vec t3 = PRT__R(1.86588166295057695707) * t1 - PRT__R(1.11952899777034617424);
+        const prt__vec t4 = z * t3;
+        prt__vec_store(out + 12 * stride, t4);
+        const prt__vec t5 = PRT__R(4.13572565211287073036) * t2 - PRT__R(0.745355992499929898803);
+        const prt__vec t6 = t2 * t5 - PRT__R(0.329110590402857834053);
+        prt__vec_store(out + 20 * stride, t6);
+        const prt__vec t7 = PRT__R(1.98997487421323990947) * (z * t6) - PRT__R(1.00285307284481394976) * t4;
+        prt__vec_store(out + 30 * stride, t7);
+        const prt__vec t8 = PRT__R(1.99304345718356633685) * (z * t7) - PRT__R(1.00154202096221924809) * t6;
+        prt__vec_store(out + 42 * stride, t8);
+        prt__vec_store(out + 56 * stride, PRT__R(1.99489143482413445284) * (z * t8) - PRT__R(1.00092721392195810546) * t7);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = z * z;
+        const prt__vec t2 = PRT__R(0.946174695757560018093) * t1 - PRT__R(0.315391565252520006031);
+        const prt__vec t3 = PRT__R(4.13572565211287073036) * t2 - PRT__R(0.745355992499929898803);
+        const prt__vec t4 = t2 * t3 - PRT__R(0.329110590402857834053);
+        const prt__vec t5 = PRT__R(1.86588166295057695707) * t1 - PRT__R(1.11952899777034617424);
+        const prt__vec t6 = PRT__R(1.98997487421323990947) * (z * t4) - PRT__R(1.00285307284481394976) * (z * t5);
+        const prt__vec t7 = PRT__R(1.99304345718356633685) * (z * t6) - PRT__R(1.00154202096221924809) * t4;
+        const prt__vec t8 = PRT__R(1.99489143482413445284) * (z * t7) - PRT__R(1.00092721392195810546) * t6;
+        prt__vec_store(out + 72 * stride, PRT__R(1.99608992783391399988) * (z * t8) - PRT__R(1.00060078106951479479) * t7);
+        prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
+        prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
+        const prt__vec t9 = PRT__R(1.09254843059207907054) * z;
+        prt__vec_store(out + 5 * stride, y * t9);
+        prt__vec_store(out + 7 * stride, x * t9);
+        const prt__vec t10 = PRT__R(2.28522899732232868079) * t1 - PRT__R(0.457045799464465736158);
+        prt__vec_store(out + 11 * stride, y * t10);
+        prt__vec_store(out + 13 * stride, x * t10);
+        const prt__vec t11 = PRT__R(4.68332580490102417566) * t1 - PRT__R(2.00713963067186750386);
+        prt__vec_store(out + 19 * stride, y * (z * t11));
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = z * z;
+        const prt__vec t2 = PRT__R(4.68332580490102417566) * t1 - PRT__R(2.00713963067186750386);
+        const prt__vec t3 = z * t2;
+        prt__vec_store(out + 21 * stride, x * t3);
+        const prt__vec t4 = PRT__R(2.28522899732232868079) * t1 - PRT__R(0.457045799464465736158);
+        const prt__vec t5 = PRT__R(1.82140655598655998134) * t4 - PRT__R(1.10995495404092863574);
+        const prt__vec t6 = t4 * t5 - PRT__R(0.434828785147869044447);
+        prt__vec_store(out + 29 * stride, y * t6);
+        prt__vec_store(out + 31 * stride, x * t6);
+        const prt__vec t7 = PRT__R(2.02131498923702777609) * (z * t6) - PRT__R(0.995226703056238577025) * t3;
+        prt__vec_store(out + 41 * stride, y * t7);
+        prt__vec_store(out + 43 * stride, x * t7);
+        const prt__vec t8 = PRT__R(2.01556443707463741309) * (z * t7) - PRT__R(0.997155044021832052319) * t6;
+        prt__vec_store(out + 55 * stride, y * t8);
+        prt__vec_store(out + 57 * stride, x * t8);
+        const prt__vec t9 = PRT__R(2.01186954040739123146) * (z * t8) - PRT__R(0.998166817890174275952) * t7;
+        prt__vec_store(out + 71 * stride, y * t9);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = z * z;
+        const prt__vec t2 = PRT__R(2.28522899732232868079) * t1 - PRT__R(0.457045799464465736158);
+        const prt__vec t3 = PRT__R(1.82140655598655998134) * t2 - PRT__R(1.10995495404092863574);
+        const prt__vec t4 = t2 * t3 - PRT__R(0.434828785147869044447);
+        const prt__vec t5 = PRT__R(4.68332580490102417566) * t1 - PRT__R(2.00713963067186750386);
+        const prt__vec t6 = PRT__R(2.02131498923702777609) * (z * t4) - PRT__R(0.995226703056238577025) * (z * t5);
+        const prt__vec t7 = PRT__R(2.01556443707463741309) * (z * t6) - PRT__R(0.997155044021832052319) * t4;
+        const prt__vec t8 = PRT__R(2.01186954040739123146) * (z * t7) - PRT__R(0.998166817890174275952) * t6;
+        prt__vec_store(out + 73 * stride, x * t8);
+        const prt__vec t9 = y * x;
+        const prt__vec t10 = t9 + t9;
+        prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t10);
+        const prt__vec t11 = (y + x) * (x - y);
+        prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t11);
+        const prt__vec t12 = PRT__R(1.44530572132027702769) * z;
+        prt__vec_store(out + 10 * stride, t10 * t12);
+        prt__vec_store(out + 14 * stride, t11 * t12);
+        const prt__vec t13 = PRT__R(3.31161143515146006332) * t1 - PRT__R(0.473087347878780009046);
+        prt__vec_store(out + 18 * stride, t10 * t13);
+        prt__vec_store(out + 22 * stride, t11 * t13);
+        const prt__vec t14 = PRT__R(7.1903051774599856325) * t1 - PRT__R(2.3967683924866618775);
+        prt__vec_store(out + 28 * stride, t10 * (z * t14));
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = (y + x) * (x - y);
+        const prt__vec t2 = z * z;
+        const prt__vec t3 = PRT__R(7.1903051774599856325) * t2 - PRT__R(2.3967683924866618775);
+        const prt__vec t4 = z * t3;
+        prt__vec_store(out + 32 * stride, t1 * t4);
+        const prt__vec t5 = y * x;
+        const prt__vec t6 = t5 + t5;
+        const prt__vec t7 = PRT__R(3.31161143515146006332) * t2 - PRT__R(0.473087347878780009046);
+        const prt__vec t8 = PRT__R(1.38599481613688115647) * t7 - PRT__R(1.19217565770897169497);
+        const prt__vec t9 = t7 * t8 - PRT__R(0.413602361414863611859);
+        prt__vec_store(out + 40 * stride, t6 * t9);
+        prt__vec_store(out + 44 * stride, t1 * t9);
+        const prt__vec t10 = PRT__R(2.08166599946613273528) * (z * t9) - PRT__R(0.984731927834661861874) * t4;
+        prt__vec_store(out + 54 * stride, t6 * t10);
+        prt__vec_store(out + 58 * stride, t1 * t10);
+        const prt__vec t11 = PRT__R(2.06155281280883027491) * (z * t10) - PRT__R(0.990337937660287135802) * t9;
+        prt__vec_store(out + 70 * stride, t6 * t11);
+        prt__vec_store(out + 74 * stride, t1 * t11);
+        const prt__vec t12 = t1 + y * y;
+        prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * (y * (t1 + (t12 + t12))));
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = (y + x) * (x - y);
+        const prt__vec t2 = y * y;
+        const prt__vec t3 = x * (t1 - (t2 + t2));
+        prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * t3);
+        const prt__vec t4 = t1 + t2;
+        const prt__vec t5 = y * (t1 + (t4 + t4));
+        const prt__vec t6 = PRT__R(1.77013076977993053104) * z;
+        prt__vec_store(out + 17 * stride, t5 * t6);
+        prt__vec_store(out + 23 * stride, t3 * t6);
+        const prt__vec t7 = z * z;
+        const prt__vec t8 = PRT__R(4.40314469491725348916) * t7 - PRT__R(0.489238299435250387684);
+        prt__vec_store(out + 27 * stride, t5 * t8);
+        prt__vec_store(out + 33 * stride, t3 * t8);
+        const prt__vec t9 = PRT__R(10.1332578546641584906) * t7 - PRT__R(2.76361577854477049742);
+        const prt__vec t10 = z * t9;
+        prt__vec_store(out + 39 * stride, t5 * t10);
+        prt__vec_store(out + 45 * stride, t3 * t10);
+        const prt__vec t11 = PRT__R(1.15401243699174093424) * t8 - PRT__R(1.21603371550977803267);
+        prt__vec_store(out + 53 * stride, t5 * (t8 * t11 - PRT__R(0.401771089424162456772)));
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = (y + x) * (x - y);
+        const prt__vec t2 = y * y;
+        const prt__vec t3 = x * (t1 - (t2 + t2));
+        const prt__vec t4 = z * z;
+        const prt__vec t5 = PRT__R(4.40314469491725348916) * t4 - PRT__R(0.489238299435250387684);
+        const prt__vec t6 = PRT__R(1.15401243699174093424) * t5 - PRT__R(1.21603371550977803267);
+        const prt__vec t7 = t5 * t6 - PRT__R(0.401771089424162456772);
+        prt__vec_store(out + 59 * stride, t3 * t7);
+        const prt__vec t8 = t1 + t2;
+        const prt__vec t9 = PRT__R(10.1332578546641584906) * t4 - PRT__R(2.76361577854477049742);
+        const prt__vec t10 = PRT__R(2.15322168769582022424) * (z * t7) - PRT__R(0.975217386560017729543) * (z * t9);
+        prt__vec_store(out + 69 * stride, (y * (t1 + (t8 + t8))) * t10);
+        prt__vec_store(out + 75 * stride, t3 * t10);
+        const prt__vec t11 = y * x;
+        const prt__vec t12 = t11 + t11;
+        const prt__vec t13 = t1 * t12;
+        const prt__vec t14 = t13 + t13;
+        prt__vec_store(out + 16 * stride, PRT__R(0.625835735449176134587) * t14);
+        const prt__vec t15 = (t1 + t12) * (t1 - t12);
+        prt__vec_store(out + 24 * stride, PRT__R(0.625835735449176134587) * t15);
+        const prt__vec t16 = PRT__R(2.075662314881041279) * z;
+        prt__vec_store(out + 26 * stride, t14 * t16);
+        prt__vec_store(out + 34 * stride, t15 * t16);
+        const prt__vec t17 = PRT__R(5.5502139080159657518) * t4 - PRT__R(0.504564900728724159254);
+        prt__vec_store(out + 38 * stride, t14 * t17);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = (y + x) * (x - y);
+        const prt__vec t2 = y * x;
+        const prt__vec t3 = t2 + t2;
+        const prt__vec t4 = (t1 + t3) * (t1 - t3);
+        const prt__vec t5 = z * z;
+        const prt__vec t6 = PRT__R(5.5502139080159657518) * t5 - PRT__R(0.504564900728724159254);
+        prt__vec_store(out + 46 * stride, t4 * t6);
+        const prt__vec t7 = t1 * t3;
+        const prt__vec t8 = t7 + t7;
+        const prt__vec t9 = PRT__R(13.4918050467267683135) * t5 - PRT__R(3.11349347232156191849);
+        const prt__vec t10 = z * t9;
+        prt__vec_store(out + 52 * stride, t8 * t10);
+        prt__vec_store(out + 60 * stride, t4 * t10);
+        const prt__vec t11 = PRT__R(1.0094855015668566765) * t6 - PRT__R(1.22244228452440165368);
+        const prt__vec t12 = t6 * t11 - PRT__R(0.395385557652339419216);
+        prt__vec_store(out + 68 * stride, t8 * t12);
+        prt__vec_store(out + 76 * stride, t4 * t12);
+        const prt__vec t13 = y * t4 + x * t8;
+        prt__vec_store(out + 25 * stride, PRT__R(0.656382056840170102814) * t13);
+        prt__vec_store(out + 35 * stride, PRT__R(0.656382056840170102814) * (x * t4 - y * t8));
+        prt__vec_store(out + 37 * stride, t13 * (PRT__R(2.36661916223175203199) * z));
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = (y + x) * (x - y);
+        const prt__vec t2 = y * x;
+        const prt__vec t3 = t2 + t2;
+        const prt__vec t4 = (t1 + t3) * (t1 - t3);
+        const prt__vec t5 = t1 * t3;
+        const prt__vec t6 = t5 + t5;
+        const prt__vec t7 = x * t4 - y * t6;
+        prt__vec_store(out + 47 * stride, t7 * (PRT__R(2.36661916223175203199) * z));
+        const prt__vec t8 = y * t4 + x * t6;
+        const prt__vec t9 = z * z;
+        const prt__vec t10 = PRT__R(6.74590252336338415674) * t9 - PRT__R(0.518915578720260319749);
+        prt__vec_store(out + 51 * stride, t8 * t10);
+        prt__vec_store(out + 61 * stride, t7 * t10);
+        const prt__vec t11 = PRT__R(17.2495531104905400876) * t9 - PRT__R(3.44991062209810801752);
+        const prt__vec t12 = z * t11;
+        prt__vec_store(out + 67 * stride, t8 * t12);
+        prt__vec_store(out + 77 * stride, t7 * t12);
+        const prt__vec t13 = y * y;
+        const prt__vec t14 = x * (t1 - (t13 + t13));
+        const prt__vec t15 = t1 + t13;
+        const prt__vec t16 = y * (t1 + (t15 + t15));
+        const prt__vec t17 = t14 * t16;
+        const prt__vec t18 = t17 + t17;
+        prt__vec_store(out + 36 * stride, PRT__R(0.683184105191914321975) * t18);
+        prt__vec_store(out + 48 * stride, PRT__R(0.683184105191914321975) * ((t14 + t16) * (t14 - t16)));
+        prt__vec_store(out + 50 * stride, t18 * (PRT__R(2.64596066180190022197) * z));
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = (y + x) * (x - y);
+        const prt__vec t2 = y * y;
+        const prt__vec t3 = x * (t1 - (t2 + t2));
+        const prt__vec t4 = t1 + t2;
+        const prt__vec t5 = y * (t1 + (t4 + t4));
+        const prt__vec t6 = (t3 + t5) * (t3 - t5);
+        prt__vec_store(out + 62 * stride, t6 * (PRT__R(2.64596066180190022197) * z));
+        const prt__vec t7 = t3 * t5;
+        const prt__vec t8 = t7 + t7;
+        const prt__vec t9 = PRT__R(7.98499149089313861467) * (z * z) - PRT__R(0.532332766059542574311);
+        prt__vec_store(out + 66 * stride, t8 * t9);
+        prt__vec_store(out + 78 * stride, t6 * t9);
+        const prt__vec t10 = y * t6 + x * t8;
+        prt__vec_store(out + 49 * stride, PRT__R(0.707162732524596178226) * t10);
+        const prt__vec t11 = x * t6 - y * t8;
+        prt__vec_store(out + 63 * stride, PRT__R(0.707162732524596178226) * t11);
+        const prt__vec t12 = PRT__R(2.91570664069931947548) * z;
+        prt__vec_store(out + 65 * stride, t10 * t12);
+        prt__vec_store(out + 79 * stride, t11 * t12);
+        const prt__vec t13 = y * x;
+        const prt__vec t14 = t13 + t13;
+        const prt__vec t15 = t1 * t14;
+        const prt__vec t16 = ((t1 + t14) * (t1 - t14)) * (t15 + t15);
+        prt__vec_store(out + 64 * stride, PRT__R(0.72892666017482986887) * (t16 + t16));
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = (y + x) * (x - y);
+        const prt__vec t2 = y * x;
+        const prt__vec t3 = t2 + t2;
+        const prt__vec t4 = (t1 + t3) * (t1 - t3);
+        const prt__vec t5 = t1 * t3;
+        const prt__vec t6 = t5 + t5;
+        prt__vec_store(out + 80 * stride, PRT__R(0.72892666017482986887) * ((t4 + t6) * (t4 - t6)));
+    }
 }
 
 /* SH basis, 10 bands: 202 multiplications, 65 additions (48 can fuse), 100 stores */
@@ -8190,217 +8442,349 @@ PRT__STATIC void prt__sh_eval_10(prt_real x, prt_real y, prt_real z, prt_real *P
 }
 
 /* SH basis, 10 bands: 202 multiplications, 65 additions (48 can fuse), 100 stores */
-PRT__INLINE void prt__sh_eval_10_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, 
-    size_t stride, int first, int last) {
-    if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
-    if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
-    const prt__vec t1 = z * z;
-    const prt__vec t2 = PRT__R(0.946174695757560018093) * t1 - PRT__R(0.315391565252520006031);
-    if (first <= 2 && 2 < last) prt__vec_store(out + 6 * stride, t2);
-    const prt__vec t3 = PRT__R(1.86588166295057695707) * t1 - PRT__R(1.11952899777034617424);
-    const prt__vec t4 = z * t3;
-    if (first <= 3 && 3 < last) prt__vec_store(out + 12 * stride, t4);
-    const prt__vec t5 = PRT__R(4.13572565211287073036) * t2 - PRT__R(0.745355992499929898803);
-    const prt__vec t6 = t2 * t5 - PRT__R(0.329110590402857834053);
-    if (first <= 4 && 4 < last) prt__vec_store(out + 20 * stride, t6);
-    const prt__vec t7 = PRT__R(1.98997487421323990947) * (z * t6) - PRT__R(1.00285307284481394976) * t4;
-    if (first <= 5 && 5 < last) prt__vec_store(out + 30 * stride, t7);
-    const prt__vec t8 = PRT__R(1.99304345718356633685) * (z * t7) - PRT__R(1.00154202096221924809) * t6;
-    if (first <= 6 && 6 < last) prt__vec_store(out + 42 * stride, t8);
-    const prt__vec t9 = PRT__R(1.99489143482413445284) * (z * t8) - PRT__R(1.00092721392195810546) * t7;
-    if (first <= 7 && 7 < last) prt__vec_store(out + 56 * stride, t9);
-    const prt__vec t10 = PRT__R(1.99608992783391399988) * (z * t9) - PRT__R(1.00060078106951479479) * t8;
-    if (first <= 8 && 8 < last) prt__vec_store(out + 72 * stride, t10);
-    if (first <= 9 && 9 < last)
-        prt__vec_store(out + 90 * stride, PRT__R(1.99691119506793649529) * (z * t10) - PRT__R(1.000411437993133759) * t9);
-    if (first <= 10 && 10 < last) prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
-    if (first <= 11 && 11 < last) prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
-    const prt__vec t11 = PRT__R(1.09254843059207907054) * z;
-    if (first <= 12 && 12 < last) prt__vec_store(out + 5 * stride, y * t11);
-    if (first <= 13 && 13 < last) prt__vec_store(out + 7 * stride, x * t11);
-    const prt__vec t12 = PRT__R(2.28522899732232868079) * t1 - PRT__R(0.457045799464465736158);
-    if (first <= 14 && 14 < last) prt__vec_store(out + 11 * stride, y * t12);
-    if (first <= 15 && 15 < last) prt__vec_store(out + 13 * stride, x * t12);
-    const prt__vec t13 = PRT__R(4.68332580490102417566) * t1 - PRT__R(2.00713963067186750386);
-    const prt__vec t14 = z * t13;
-    if (first <= 16 && 16 < last) prt__vec_store(out + 19 * stride, y * t14);
-    if (first <= 17 && 17 < last) prt__vec_store(out + 21 * stride, x * t14);
-    const prt__vec t15 = PRT__R(1.82140655598655998134) * t12 - PRT__R(1.10995495404092863574);
-    const prt__vec t16 = t12 * t15 - PRT__R(0.434828785147869044447);
-    if (first <= 18 && 18 < last) prt__vec_store(out + 29 * stride, y * t16);
-    if (first <= 19 && 19 < last) prt__vec_store(out + 31 * stride, x * t16);
-    const prt__vec t17 = PRT__R(2.02131498923702777609) * (z * t16) - PRT__R(0.995226703056238577025) * t14;
-    if (first <= 20 && 20 < last) prt__vec_store(out + 41 * stride, y * t17);
-    if (first <= 21 && 21 < last) prt__vec_store(out + 43 * stride, x * t17);
-    const prt__vec t18 = PRT__R(2.01556443707463741309) * (z * t17) - PRT__R(0.997155044021832052319) * t16;
-    if (first <= 22 && 22 < last) prt__vec_store(out + 55 * stride, y * t18);
-    if (first <= 23 && 23 < last) prt__vec_store(out + 57 * stride, x * t18);
-    const prt__vec t19 = PRT__R(2.01186954040739123146) * (z * t18) - PRT__R(0.998166817890174275952) * t17;
-    if (first <= 24 && 24 < last) prt__vec_store(out + 71 * stride, y * t19);
-    if (first <= 25 && 25 < last) prt__vec_store(out + 73 * stride, x * t19);
-    const prt__vec t20 = PRT__R(2.00935312974101194944) * (z * t19) - PRT__R(0.998749217771908945789) * t18;
-    if (first <= 26 && 26 < last) prt__vec_store(out + 89 * stride, y * t20);
-    if (first <= 27 && 27 < last) prt__vec_store(out + 91 * stride, x * t20);
-    const prt__vec t21 = y * x;
-    const prt__vec t22 = t21 + t21;
-    if (first <= 28 && 28 < last) prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t22);
-    const prt__vec t23 = (y + x) * (x - y);
-    if (first <= 29 && 29 < last) prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t23);
-    const prt__vec t24 = PRT__R(1.44530572132027702769) * z;
-    if (first <= 30 && 30 < last) prt__vec_store(out + 10 * stride, t22 * t24);
-    if (first <= 31 && 31 < last) prt__vec_store(out + 14 * stride, t23 * t24);
-    const prt__vec t25 = PRT__R(3.31161143515146006332) * t1 - PRT__R(0.473087347878780009046);
-    if (first <= 32 && 32 < last) prt__vec_store(out + 18 * stride, t22 * t25);
-    if (first <= 33 && 33 < last) prt__vec_store(out + 22 * stride, t23 * t25);
-    const prt__vec t26 = PRT__R(7.1903051774599856325) * t1 - PRT__R(2.3967683924866618775);
-    const prt__vec t27 = z * t26;
-    if (first <= 34 && 34 < last) prt__vec_store(out + 28 * stride, t22 * t27);
-    if (first <= 35 && 35 < last) prt__vec_store(out + 32 * stride, t23 * t27);
-    const prt__vec t28 = PRT__R(1.38599481613688115647) * t25 - PRT__R(1.19217565770897169497);
-    const prt__vec t29 = t25 * t28 - PRT__R(0.413602361414863611859);
-    if (first <= 36 && 36 < last) prt__vec_store(out + 40 * stride, t22 * t29);
-    if (first <= 37 && 37 < last) prt__vec_store(out + 44 * stride, t23 * t29);
-    const prt__vec t30 = PRT__R(2.08166599946613273528) * (z * t29) - PRT__R(0.984731927834661861874) * t27;
-    if (first <= 38 && 38 < last) prt__vec_store(out + 54 * stride, t22 * t30);
-    if (first <= 39 && 39 < last) prt__vec_store(out + 58 * stride, t23 * t30);
-    const prt__vec t31 = PRT__R(2.06155281280883027491) * (z * t30) - PRT__R(0.990337937660287135802) * t29;
-    if (first <= 40 && 40 < last) prt__vec_store(out + 70 * stride, t22 * t31);
-    if (first <= 41 && 41 < last) prt__vec_store(out + 74 * stride, t23 * t31);
-    const prt__vec t32 = PRT__R(2.0481223583578191106) * (z * t31) - PRT__R(0.993485272670404014071) * t30;
-    if (first <= 42 && 42 < last) prt__vec_store(out + 88 * stride, t22 * t32);
-    if (first <= 43 && 43 < last) prt__vec_store(out + 92 * stride, t23 * t32);
-    const prt__vec t33 = y * y;
-    const prt__vec t34 = t23 + t33;
-    const prt__vec t35 = y * (t23 + (t34 + t34));
-    if (first <= 44 && 44 < last) prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * t35);
-    const prt__vec t36 = x * (t23 - (t33 + t33));
-    if (first <= 45 && 45 < last) prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * t36);
-    const prt__vec t37 = PRT__R(1.77013076977993053104) * z;
-    if (first <= 46 && 46 < last) prt__vec_store(out + 17 * stride, t35 * t37);
-    if (first <= 47 && 47 < last) prt__vec_store(out + 23 * stride, t36 * t37);
-    const prt__vec t38 = PRT__R(4.40314469491725348916) * t1 - PRT__R(0.489238299435250387684);
-    if (first <= 48 && 48 < last) prt__vec_store(out + 27 * stride, t35 * t38);
-    if (first <= 49 && 49 < last) prt__vec_store(out + 33 * stride, t36 * t38);
-    const prt__vec t39 = PRT__R(10.1332578546641584906) * t1 - PRT__R(2.76361577854477049742);
-    const prt__vec t40 = z * t39;
-    if (first <= 50 && 50 < last) prt__vec_store(out + 39 * stride, t35 * t40);
-    if (first <= 51 && 51 < last) prt__vec_store(out + 45 * stride, t36 * t40);
-    const prt__vec t41 = PRT__R(1.15401243699174093424) * t38 - PRT__R(1.21603371550977803267);
-    const prt__vec t42 = t38 * t41 - PRT__R(0.401771089424162456772);
-    if (first <= 52 && 52 < last) prt__vec_store(out + 53 * stride, t35 * t42);
-    if (first <= 53 && 53 < last) prt__vec_store(out + 59 * stride, t36 * t42);
-    const prt__vec t43 = PRT__R(2.15322168769582022424) * (z * t42) - PRT__R(0.975217386560017729543) * t40;
-    if (first <= 54 && 54 < last) prt__vec_store(out + 69 * stride, t35 * t43);
-    if (first <= 55 && 55 < last) prt__vec_store(out + 75 * stride, t36 * t43);
-    const prt__vec t44 = PRT__R(2.11804417118980573708) * (z * t43) - PRT__R(0.983662844979209628271) * t42;
-    if (first <= 56 && 56 < last) prt__vec_store(out + 87 * stride, t35 * t44);
-    if (first <= 57 && 57 < last) prt__vec_store(out + 93 * stride, t36 * t44);
-    const prt__vec t45 = t23 * t22;
-    const prt__vec t46 = t45 + t45;
-    if (first <= 58 && 58 < last) prt__vec_store(out + 16 * stride, PRT__R(0.625835735449176134587) * t46);
-    const prt__vec t47 = (t23 + t22) * (t23 - t22);
-    if (first <= 59 && 59 < last) prt__vec_store(out + 24 * stride, PRT__R(0.625835735449176134587) * t47);
-    const prt__vec t48 = PRT__R(2.075662314881041279) * z;
-    if (first <= 60 && 60 < last) prt__vec_store(out + 26 * stride, t46 * t48);
-    if (first <= 61 && 61 < last) prt__vec_store(out + 34 * stride, t47 * t48);
-    const prt__vec t49 = PRT__R(5.5502139080159657518) * t1 - PRT__R(0.504564900728724159254);
-    if (first <= 62 && 62 < last) prt__vec_store(out + 38 * stride, t46 * t49);
-    if (first <= 63 && 63 < last) prt__vec_store(out + 46 * stride, t47 * t49);
-    const prt__vec t50 = PRT__R(13.4918050467267683135) * t1 - PRT__R(3.11349347232156191849);
-    const prt__vec t51 = z * t50;
-    if (first <= 64 && 64 < last) prt__vec_store(out + 52 * stride, t46 * t51);
-    if (first <= 65 && 65 < last) prt__vec_store(out + 60 * stride, t47 * t51);
-    const prt__vec t52 = PRT__R(1.0094855015668566765) * t49 - PRT__R(1.22244228452440165368);
-    const prt__vec t53 = t49 * t52 - PRT__R(0.395385557652339419216);
-    if (first <= 66 && 66 < last) prt__vec_store(out + 68 * stride, t46 * t53);
-    if (first <= 67 && 67 < last) prt__vec_store(out + 76 * stride, t47 * t53);
-    const prt__vec t54 = PRT__R(2.22917715070623519765) * (z * t53) - PRT__R(0.967152839723182214167) * t51;
-    if (first <= 68 && 68 < last) prt__vec_store(out + 86 * stride, t46 * t54);
-    if (first <= 69 && 69 < last) prt__vec_store(out + 94 * stride, t47 * t54);
-    const prt__vec t55 = y * t47 + x * t46;
-    if (first <= 70 && 70 < last) prt__vec_store(out + 25 * stride, PRT__R(0.656382056840170102814) * t55);
-    const prt__vec t56 = x * t47 - y * t46;
-    if (first <= 71 && 71 < last) prt__vec_store(out + 35 * stride, PRT__R(0.656382056840170102814) * t56);
-    const prt__vec t57 = PRT__R(2.36661916223175203199) * z;
-    if (first <= 72 && 72 < last) prt__vec_store(out + 37 * stride, t55 * t57);
-    if (first <= 73 && 73 < last) prt__vec_store(out + 47 * stride, t56 * t57);
-    const prt__vec t58 = PRT__R(6.74590252336338415674) * t1 - PRT__R(0.518915578720260319749);
-    if (first <= 74 && 74 < last) prt__vec_store(out + 51 * stride, t55 * t58);
-    if (first <= 75 && 75 < last) prt__vec_store(out + 61 * stride, t56 * t58);
-    const prt__vec t59 = PRT__R(17.2495531104905400876) * t1 - PRT__R(3.44991062209810801752);
-    const prt__vec t60 = z * t59;
-    if (first <= 76 && 76 < last) prt__vec_store(out + 67 * stride, t55 * t60);
-    if (first <= 77 && 77 < last) prt__vec_store(out + 77 * stride, t56 * t60);
-    const prt__vec t61 = PRT__R(0.910342823558204599004) * t58 - PRT__R(1.22265924807669582645);
-    const prt__vec t62 = t58 * t61 - PRT__R(0.392209739345009019975);
-    if (first <= 78 && 78 < last) prt__vec_store(out + 85 * stride, t55 * t62);
-    if (first <= 79 && 79 < last) prt__vec_store(out + 95 * stride, t56 * t62);
-    const prt__vec t63 = t36 * t35;
-    const prt__vec t64 = t63 + t63;
-    if (first <= 80 && 80 < last) prt__vec_store(out + 36 * stride, PRT__R(0.683184105191914321975) * t64);
-    const prt__vec t65 = (t36 + t35) * (t36 - t35);
-    if (first <= 81 && 81 < last) prt__vec_store(out + 48 * stride, PRT__R(0.683184105191914321975) * t65);
-    const prt__vec t66 = PRT__R(2.64596066180190022197) * z;
-    if (first <= 82 && 82 < last) prt__vec_store(out + 50 * stride, t64 * t66);
-    if (first <= 83 && 83 < last) prt__vec_store(out + 62 * stride, t65 * t66);
-    const prt__vec t67 = PRT__R(7.98499149089313861467) * t1 - PRT__R(0.532332766059542574311);
-    if (first <= 84 && 84 < last) prt__vec_store(out + 66 * stride, t64 * t67);
-    if (first <= 85 && 85 < last) prt__vec_store(out + 78 * stride, t65 * t67);
-    const prt__vec t68 = PRT__R(21.3928901909086362545) * t1 - PRT__R(3.77521591604270051551);
-    const prt__vec t69 = z * t68;
-    if (first <= 86 && 86 < last) prt__vec_store(out + 84 * stride, t64 * t69);
-    if (first <= 87 && 87 < last) prt__vec_store(out + 96 * stride, t65 * t69);
-    const prt__vec t70 = y * t65 + x * t64;
-    if (first <= 88 && 88 < last) prt__vec_store(out + 49 * stride, PRT__R(0.707162732524596178226) * t70);
-    const prt__vec t71 = x * t65 - y * t64;
-    if (first <= 89 && 89 < last) prt__vec_store(out + 63 * stride, PRT__R(0.707162732524596178226) * t71);
-    const prt__vec t72 = PRT__R(2.91570664069931947548) * z;
-    if (first <= 90 && 90 < last) prt__vec_store(out + 65 * stride, t70 * t72);
-    if (first <= 91 && 91 < last) prt__vec_store(out + 79 * stride, t71 * t72);
-    const prt__vec t73 = PRT__R(9.26339318284890424012) * t1 - PRT__R(0.544905481344053190595);
-    if (first <= 92 && 92 < last) prt__vec_store(out + 83 * stride, t70 * t73);
-    if (first <= 93 && 93 < last) prt__vec_store(out + 97 * stride, t71 * t73);
-    const prt__vec t74 = t47 * t46;
-    const prt__vec t75 = t74 + t74;
-    if (first <= 94 && 94 < last) prt__vec_store(out + 64 * stride, PRT__R(0.72892666017482986887) * t75);
-    const prt__vec t76 = (t47 + t46) * (t47 - t46);
-    if (first <= 95 && 95 < last) prt__vec_store(out + 80 * stride, PRT__R(0.72892666017482986887) * t76);
-    const prt__vec t77 = PRT__R(3.1773176489546974773) * z;
-    if (first <= 96 && 96 < last) prt__vec_store(out + 82 * stride, t75 * t77);
-    if (first <= 97 && 97 < last) prt__vec_store(out + 98 * stride, t76 * t77);
-    if (first <= 98 && 98 < last) prt__vec_store(out + 81 * stride, PRT__R(0.74890095185318829655) * (y * t76 + x * t75));
-    if (first <= 99 && 99 < last) prt__vec_store(out + 99 * stride, PRT__R(0.74890095185318829655) * (x * t76 - y * t75));
-}
-
-PRT__STATIC void prt__sh_eval_10_v(int vectors, const prt_real *x, const prt_real *y, const prt_real *z,
-    prt_real *PRT__RESTRICT out, size_t stride) {
+PRT__STATIC void prt__sh_eval_10_v(int vectors, const prt_real *xs, const prt_real *ys, const prt_real *zs,
+    prt_real *PRT__RESTRICT rows, size_t stride) {
     int k;
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 0, 8);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 8, 16);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 16, 24);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 24, 32);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 32, 40);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 40, 48);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 48, 56);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 56, 64);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 64, 72);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 72, 80);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 80, 88);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 88, 96);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__sh_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 96, 100);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+        prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
+        const prt__vec t1 = z * z;
+        const prt__vec t2 = PRT__R(0.946174695757560018093) * t1 - PRT__R(0.315391565252520006031);
+        prt__vec_store(out + 6 * stride, t2);
+        const prt__vec t3 = PRT__R(1.86588166295057695707) * t1 - PRT__R(1.11952899777034617424);
+        const prt__vec t4 = z * t3;
+        prt__vec_store(out + 12 * stride, t4);
+        const prt__vec t5 = PRT__R(4.13572565211287073036) * t2 - PRT__R(0.745355992499929898803);
+        const prt__vec t6 = t2 * t5 - PRT__R(0.329110590402857834053);
+        prt__vec_store(out + 20 * stride, t6);
+        const prt__vec t7 = PRT__R(1.98997487421323990947) * (z * t6) - PRT__R(1.00285307284481394976) * t4;
+        prt__vec_store(out + 30 * stride, t7);
+        const prt__vec t8 = PRT__R(1.99304345718356633685) * (z * t7) - PRT__R(1.00154202096221924809) * t6;
+        prt__vec_store(out + 42 * stride, t8);
+        prt__vec_store(out + 56 * stride, PRT__R(1.99489143482413445284) * (z * t8) - PRT__R(1.00092721392195810546) * t7);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = z * z;
+        const prt__vec t2 = PRT__R(0.946174695757560018093) * t1 - PRT__R(0.315391565252520006031);
+        const prt__vec t3 = PRT__R(4.13572565211287073036) * t2 - PRT__R(0.745355992499929898803);
+        const prt__vec t4 = t2 * t3 - PRT__R(0.329110590402857834053);
+        const prt__vec t5 = PRT__R(1.86588166295057695707) * t1 - PRT__R(1.11952899777034617424);
+        const prt__vec t6 = PRT__R(1.98997487421323990947) * (z * t4) - PRT__R(1.00285307284481394976) * (z * t5);
+        const prt__vec t7 = PRT__R(1.99304345718356633685) * (z * t6) - PRT__R(1.00154202096221924809) * t4;
+        const prt__vec t8 = PRT__R(1.99489143482413445284) * (z * t7) - PRT__R(1.00092721392195810546) * t6;
+        const prt__vec t9 = PRT__R(1.99608992783391399988) * (z * t8) - PRT__R(1.00060078106951479479) * t7;
+        prt__vec_store(out + 72 * stride, t9);
+        prt__vec_store(out + 90 * stride, PRT__R(1.99691119506793649529) * (z * t9) - PRT__R(1.000411437993133759) * t8);
+        prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
+        prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
+        const prt__vec t10 = PRT__R(1.09254843059207907054) * z;
+        prt__vec_store(out + 5 * stride, y * t10);
+        prt__vec_store(out + 7 * stride, x * t10);
+        const prt__vec t11 = PRT__R(2.28522899732232868079) * t1 - PRT__R(0.457045799464465736158);
+        prt__vec_store(out + 11 * stride, y * t11);
+        prt__vec_store(out + 13 * stride, x * t11);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = z * z;
+        const prt__vec t2 = PRT__R(4.68332580490102417566) * t1 - PRT__R(2.00713963067186750386);
+        const prt__vec t3 = z * t2;
+        prt__vec_store(out + 19 * stride, y * t3);
+        prt__vec_store(out + 21 * stride, x * t3);
+        const prt__vec t4 = PRT__R(2.28522899732232868079) * t1 - PRT__R(0.457045799464465736158);
+        const prt__vec t5 = PRT__R(1.82140655598655998134) * t4 - PRT__R(1.10995495404092863574);
+        const prt__vec t6 = t4 * t5 - PRT__R(0.434828785147869044447);
+        prt__vec_store(out + 29 * stride, y * t6);
+        prt__vec_store(out + 31 * stride, x * t6);
+        const prt__vec t7 = PRT__R(2.02131498923702777609) * (z * t6) - PRT__R(0.995226703056238577025) * t3;
+        prt__vec_store(out + 41 * stride, y * t7);
+        prt__vec_store(out + 43 * stride, x * t7);
+        const prt__vec t8 = PRT__R(2.01556443707463741309) * (z * t7) - PRT__R(0.997155044021832052319) * t6;
+        prt__vec_store(out + 55 * stride, y * t8);
+        prt__vec_store(out + 57 * stride, x * t8);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = z * z;
+        const prt__vec t2 = PRT__R(2.28522899732232868079) * t1 - PRT__R(0.457045799464465736158);
+        const prt__vec t3 = PRT__R(1.82140655598655998134) * t2 - PRT__R(1.10995495404092863574);
+        const prt__vec t4 = t2 * t3 - PRT__R(0.434828785147869044447);
+        const prt__vec t5 = PRT__R(4.68332580490102417566) * t1 - PRT__R(2.00713963067186750386);
+        const prt__vec t6 = PRT__R(2.02131498923702777609) * (z * t4) - PRT__R(0.995226703056238577025) * (z * t5);
+        const prt__vec t7 = PRT__R(2.01556443707463741309) * (z * t6) - PRT__R(0.997155044021832052319) * t4;
+        const prt__vec t8 = PRT__R(2.01186954040739123146) * (z * t7) - PRT__R(0.998166817890174275952) * t6;
+        prt__vec_store(out + 71 * stride, y * t8);
+        prt__vec_store(out + 73 * stride, x * t8);
+        const prt__vec t9 = PRT__R(2.00935312974101194944) * (z * t8) - PRT__R(0.998749217771908945789) * t7;
+        prt__vec_store(out + 89 * stride, y * t9);
+        prt__vec_store(out + 91 * stride, x * t9);
+        const prt__vec t10 = y * x;
+        const prt__vec t11 = t10 + t10;
+        prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t11);
+        const prt__vec t12 = (y + x) * (x - y);
+        prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t12);
+        const prt__vec t13 = PRT__R(1.44530572132027702769) * z;
+        prt__vec_store(out + 10 * stride, t11 * t13);
+        prt__vec_store(out + 14 * stride, t12 * t13);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = y * x;
+        const prt__vec t2 = t1 + t1;
+        const prt__vec t3 = z * z;
+        const prt__vec t4 = PRT__R(3.31161143515146006332) * t3 - PRT__R(0.473087347878780009046);
+        prt__vec_store(out + 18 * stride, t2 * t4);
+        const prt__vec t5 = (y + x) * (x - y);
+        prt__vec_store(out + 22 * stride, t5 * t4);
+        const prt__vec t6 = PRT__R(7.1903051774599856325) * t3 - PRT__R(2.3967683924866618775);
+        const prt__vec t7 = z * t6;
+        prt__vec_store(out + 28 * stride, t2 * t7);
+        prt__vec_store(out + 32 * stride, t5 * t7);
+        const prt__vec t8 = PRT__R(1.38599481613688115647) * t4 - PRT__R(1.19217565770897169497);
+        const prt__vec t9 = t4 * t8 - PRT__R(0.413602361414863611859);
+        prt__vec_store(out + 40 * stride, t2 * t9);
+        prt__vec_store(out + 44 * stride, t5 * t9);
+        const prt__vec t10 = PRT__R(2.08166599946613273528) * (z * t9) - PRT__R(0.984731927834661861874) * t7;
+        prt__vec_store(out + 54 * stride, t2 * t10);
+        prt__vec_store(out + 58 * stride, t5 * t10);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = y * x;
+        const prt__vec t2 = t1 + t1;
+        const prt__vec t3 = z * z;
+        const prt__vec t4 = PRT__R(3.31161143515146006332) * t3 - PRT__R(0.473087347878780009046);
+        const prt__vec t5 = PRT__R(1.38599481613688115647) * t4 - PRT__R(1.19217565770897169497);
+        const prt__vec t6 = t4 * t5 - PRT__R(0.413602361414863611859);
+        const prt__vec t7 = PRT__R(7.1903051774599856325) * t3 - PRT__R(2.3967683924866618775);
+        const prt__vec t8 = PRT__R(2.08166599946613273528) * (z * t6) - PRT__R(0.984731927834661861874) * (z * t7);
+        const prt__vec t9 = PRT__R(2.06155281280883027491) * (z * t8) - PRT__R(0.990337937660287135802) * t6;
+        prt__vec_store(out + 70 * stride, t2 * t9);
+        const prt__vec t10 = (y + x) * (x - y);
+        prt__vec_store(out + 74 * stride, t10 * t9);
+        const prt__vec t11 = PRT__R(2.0481223583578191106) * (z * t9) - PRT__R(0.993485272670404014071) * t8;
+        prt__vec_store(out + 88 * stride, t2 * t11);
+        prt__vec_store(out + 92 * stride, t10 * t11);
+        const prt__vec t12 = y * y;
+        const prt__vec t13 = t10 + t12;
+        const prt__vec t14 = y * (t10 + (t13 + t13));
+        prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * t14);
+        const prt__vec t15 = x * (t10 - (t12 + t12));
+        prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * t15);
+        const prt__vec t16 = PRT__R(1.77013076977993053104) * z;
+        prt__vec_store(out + 17 * stride, t14 * t16);
+        prt__vec_store(out + 23 * stride, t15 * t16);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = (y + x) * (x - y);
+        const prt__vec t2 = y * y;
+        const prt__vec t3 = t1 + t2;
+        const prt__vec t4 = y * (t1 + (t3 + t3));
+        const prt__vec t5 = z * z;
+        const prt__vec t6 = PRT__R(4.40314469491725348916) * t5 - PRT__R(0.489238299435250387684);
+        prt__vec_store(out + 27 * stride, t4 * t6);
+        const prt__vec t7 = x * (t1 - (t2 + t2));
+        prt__vec_store(out + 33 * stride, t7 * t6);
+        const prt__vec t8 = PRT__R(10.1332578546641584906) * t5 - PRT__R(2.76361577854477049742);
+        const prt__vec t9 = z * t8;
+        prt__vec_store(out + 39 * stride, t4 * t9);
+        prt__vec_store(out + 45 * stride, t7 * t9);
+        const prt__vec t10 = PRT__R(1.15401243699174093424) * t6 - PRT__R(1.21603371550977803267);
+        const prt__vec t11 = t6 * t10 - PRT__R(0.401771089424162456772);
+        prt__vec_store(out + 53 * stride, t4 * t11);
+        prt__vec_store(out + 59 * stride, t7 * t11);
+        const prt__vec t12 = PRT__R(2.15322168769582022424) * (z * t11) - PRT__R(0.975217386560017729543) * t9;
+        prt__vec_store(out + 69 * stride, t4 * t12);
+        prt__vec_store(out + 75 * stride, t7 * t12);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = (y + x) * (x - y);
+        const prt__vec t2 = y * y;
+        const prt__vec t3 = t1 + t2;
+        const prt__vec t4 = z * z;
+        const prt__vec t5 = PRT__R(4.40314469491725348916) * t4 - PRT__R(0.489238299435250387684);
+        const prt__vec t6 = PRT__R(1.15401243699174093424) * t5 - PRT__R(1.21603371550977803267);
+        const prt__vec t7 = t5 * t6 - PRT__R(0.401771089424162456772);
+        const prt__vec t8 = PRT__R(10.1332578546641584906) * t4 - PRT__R(2.76361577854477049742);
+        const prt__vec t9 = PRT__R(2.15322168769582022424) * (z * t7) - PRT__R(0.975217386560017729543) * (z * t8);
+        const prt__vec t10 = PRT__R(2.11804417118980573708) * (z * t9) - PRT__R(0.983662844979209628271) * t7;
+        prt__vec_store(out + 87 * stride, (y * (t1 + (t3 + t3))) * t10);
+        prt__vec_store(out + 93 * stride, (x * (t1 - (t2 + t2))) * t10);
+        const prt__vec t11 = y * x;
+        const prt__vec t12 = t11 + t11;
+        const prt__vec t13 = t1 * t12;
+        const prt__vec t14 = t13 + t13;
+        prt__vec_store(out + 16 * stride, PRT__R(0.625835735449176134587) * t14);
+        const prt__vec t15 = (t1 + t12) * (t1 - t12);
+        prt__vec_store(out + 24 * stride, PRT__R(0.625835735449176134587) * t15);
+        const prt__vec t16 = PRT__R(2.075662314881041279) * z;
+        prt__vec_store(out + 26 * stride, t14 * t16);
+        prt__vec_store(out + 34 * stride, t15 * t16);
+        const prt__vec t17 = PRT__R(5.5502139080159657518) * t4 - PRT__R(0.504564900728724159254);
+        prt__vec_store(out + 38 * stride, t14 * t17);
+        prt__vec_store(out + 46 * stride, t15 * t17);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = (y + x) * (x - y);
+        const prt__vec t2 = y * x;
+        const prt__vec t3 = t2 + t2;
+        const prt__vec t4 = t1 * t3;
+        const prt__vec t5 = t4 + t4;
+        const prt__vec t6 = z * z;
+        const prt__vec t7 = PRT__R(13.4918050467267683135) * t6 - PRT__R(3.11349347232156191849);
+        const prt__vec t8 = z * t7;
+        prt__vec_store(out + 52 * stride, t5 * t8);
+        const prt__vec t9 = (t1 + t3) * (t1 - t3);
+        prt__vec_store(out + 60 * stride, t9 * t8);
+        const prt__vec t10 = PRT__R(5.5502139080159657518) * t6 - PRT__R(0.504564900728724159254);
+        const prt__vec t11 = PRT__R(1.0094855015668566765) * t10 - PRT__R(1.22244228452440165368);
+        const prt__vec t12 = t10 * t11 - PRT__R(0.395385557652339419216);
+        prt__vec_store(out + 68 * stride, t5 * t12);
+        prt__vec_store(out + 76 * stride, t9 * t12);
+        const prt__vec t13 = PRT__R(2.22917715070623519765) * (z * t12) - PRT__R(0.967152839723182214167) * t8;
+        prt__vec_store(out + 86 * stride, t5 * t13);
+        prt__vec_store(out + 94 * stride, t9 * t13);
+        prt__vec_store(out + 25 * stride, PRT__R(0.656382056840170102814) * (y * t9 + x * t5));
+        prt__vec_store(out + 35 * stride, PRT__R(0.656382056840170102814) * (x * t9 - y * t5));
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = (y + x) * (x - y);
+        const prt__vec t2 = y * x;
+        const prt__vec t3 = t2 + t2;
+        const prt__vec t4 = (t1 + t3) * (t1 - t3);
+        const prt__vec t5 = t1 * t3;
+        const prt__vec t6 = t5 + t5;
+        const prt__vec t7 = y * t4 + x * t6;
+        const prt__vec t8 = PRT__R(2.36661916223175203199) * z;
+        prt__vec_store(out + 37 * stride, t7 * t8);
+        const prt__vec t9 = x * t4 - y * t6;
+        prt__vec_store(out + 47 * stride, t9 * t8);
+        const prt__vec t10 = z * z;
+        const prt__vec t11 = PRT__R(6.74590252336338415674) * t10 - PRT__R(0.518915578720260319749);
+        prt__vec_store(out + 51 * stride, t7 * t11);
+        prt__vec_store(out + 61 * stride, t9 * t11);
+        const prt__vec t12 = PRT__R(17.2495531104905400876) * t10 - PRT__R(3.44991062209810801752);
+        const prt__vec t13 = z * t12;
+        prt__vec_store(out + 67 * stride, t7 * t13);
+        prt__vec_store(out + 77 * stride, t9 * t13);
+        const prt__vec t14 = PRT__R(0.910342823558204599004) * t11 - PRT__R(1.22265924807669582645);
+        const prt__vec t15 = t11 * t14 - PRT__R(0.392209739345009019975);
+        prt__vec_store(out + 85 * stride, t7 * t15);
+        prt__vec_store(out + 95 * stride, t9 * t15);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = (y + x) * (x - y);
+        const prt__vec t2 = y * y;
+        const prt__vec t3 = x * (t1 - (t2 + t2));
+        const prt__vec t4 = t1 + t2;
+        const prt__vec t5 = y * (t1 + (t4 + t4));
+        const prt__vec t6 = t3 * t5;
+        const prt__vec t7 = t6 + t6;
+        prt__vec_store(out + 36 * stride, PRT__R(0.683184105191914321975) * t7);
+        const prt__vec t8 = (t3 + t5) * (t3 - t5);
+        prt__vec_store(out + 48 * stride, PRT__R(0.683184105191914321975) * t8);
+        const prt__vec t9 = PRT__R(2.64596066180190022197) * z;
+        prt__vec_store(out + 50 * stride, t7 * t9);
+        prt__vec_store(out + 62 * stride, t8 * t9);
+        const prt__vec t10 = z * z;
+        const prt__vec t11 = PRT__R(7.98499149089313861467) * t10 - PRT__R(0.532332766059542574311);
+        prt__vec_store(out + 66 * stride, t7 * t11);
+        prt__vec_store(out + 78 * stride, t8 * t11);
+        const prt__vec t12 = PRT__R(21.3928901909086362545) * t10 - PRT__R(3.77521591604270051551);
+        const prt__vec t13 = z * t12;
+        prt__vec_store(out + 84 * stride, t7 * t13);
+        prt__vec_store(out + 96 * stride, t8 * t13);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = (y + x) * (x - y);
+        const prt__vec t2 = y * y;
+        const prt__vec t3 = x * (t1 - (t2 + t2));
+        const prt__vec t4 = t1 + t2;
+        const prt__vec t5 = y * (t1 + (t4 + t4));
+        const prt__vec t6 = (t3 + t5) * (t3 - t5);
+        const prt__vec t7 = t3 * t5;
+        const prt__vec t8 = t7 + t7;
+        const prt__vec t9 = y * t6 + x * t8;
+        prt__vec_store(out + 49 * stride, PRT__R(0.707162732524596178226) * t9);
+        const prt__vec t10 = x * t6 - y * t8;
+        prt__vec_store(out + 63 * stride, PRT__R(0.707162732524596178226) * t10);
+        const prt__vec t11 = PRT__R(2.91570664069931947548) * z;
+        prt__vec_store(out + 65 * stride, t9 * t11);
+        prt__vec_store(out + 79 * stride, t10 * t11);
+        const prt__vec t12 = PRT__R(9.26339318284890424012) * (z * z) - PRT__R(0.544905481344053190595);
+        prt__vec_store(out + 83 * stride, t9 * t12);
+        prt__vec_store(out + 97 * stride, t10 * t12);
+        const prt__vec t13 = y * x;
+        const prt__vec t14 = t13 + t13;
+        const prt__vec t15 = (t1 + t14) * (t1 - t14);
+        const prt__vec t16 = t1 * t14;
+        const prt__vec t17 = t16 + t16;
+        const prt__vec t18 = t15 * t17;
+        prt__vec_store(out + 64 * stride, PRT__R(0.72892666017482986887) * (t18 + t18));
+        prt__vec_store(out + 80 * stride, PRT__R(0.72892666017482986887) * ((t15 + t17) * (t15 - t17)));
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = (y + x) * (x - y);
+        const prt__vec t2 = y * x;
+        const prt__vec t3 = t2 + t2;
+        const prt__vec t4 = (t1 + t3) * (t1 - t3);
+        const prt__vec t5 = t1 * t3;
+        const prt__vec t6 = t5 + t5;
+        const prt__vec t7 = t4 * t6;
+        const prt__vec t8 = t7 + t7;
+        const prt__vec t9 = PRT__R(3.1773176489546974773) * z;
+        prt__vec_store(out + 82 * stride, t8 * t9);
+        const prt__vec t10 = (t4 + t6) * (t4 - t6);
+        prt__vec_store(out + 98 * stride, t10 * t9);
+        prt__vec_store(out + 81 * stride, PRT__R(0.74890095185318829655) * (y * t10 + x * t8));
+        prt__vec_store(out + 99 * stride, PRT__R(0.74890095185318829655) * (x * t10 - y * t8));
+    }
 }
 
 /* SH value, 1 band: 1 multiplications, 0 additions (0 can fuse), 1 loads, 1 stores */
@@ -9700,20 +10084,17 @@ PRT__STATIC void prt__ch_eval_1(prt_real x, prt_real y, prt_real z, prt_real *PR
 }
 
 /* CH basis, 1 band: 0 multiplications, 0 additions (0 can fuse), 1 stores */
-PRT__INLINE void prt__ch_eval_1_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, 
-    size_t stride, int first, int last) {
-    (void)x;
-    (void)y;
-    (void)z;
-    (void)stride;
-    if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
-}
-
-PRT__STATIC void prt__ch_eval_1_v(int vectors, const prt_real *x, const prt_real *y, const prt_real *z,
-    prt_real *PRT__RESTRICT out, size_t stride) {
+PRT__STATIC void prt__ch_eval_1_v(int vectors, const prt_real *xs, const prt_real *ys, const prt_real *zs,
+    prt_real *PRT__RESTRICT rows, size_t stride) {
     int k;
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_1_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 0, 1);
+    (void)xs;
+    (void)ys;
+    (void)zs;
+    (void)stride;
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        prt_real *PRT__RESTRICT out = rows + k;
+        prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+    }
 }
 
 /* CH basis, 2 bands: 3 multiplications, 0 additions (0 can fuse), 4 stores */
@@ -9725,19 +10106,19 @@ PRT__STATIC void prt__ch_eval_2(prt_real x, prt_real y, prt_real z, prt_real *PR
 }
 
 /* CH basis, 2 bands: 3 multiplications, 0 additions (0 can fuse), 4 stores */
-PRT__INLINE void prt__ch_eval_2_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, 
-    size_t stride, int first, int last) {
-    if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
-    if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
-    if (first <= 2 && 2 < last) prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
-    if (first <= 3 && 3 < last) prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
-}
-
-PRT__STATIC void prt__ch_eval_2_v(int vectors, const prt_real *x, const prt_real *y, const prt_real *z,
-    prt_real *PRT__RESTRICT out, size_t stride) {
+PRT__STATIC void prt__ch_eval_2_v(int vectors, const prt_real *xs, const prt_real *ys, const prt_real *zs,
+    prt_real *PRT__RESTRICT rows, size_t stride) {
     int k;
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_2_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 0, 4);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+        prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
+        prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
+        prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
+    }
 }
 
 /* CH basis, 3 bands: 12 multiplications, 4 additions (1 can fuse), 9 stores */
@@ -9756,30 +10137,32 @@ PRT__STATIC void prt__ch_eval_3(prt_real x, prt_real y, prt_real z, prt_real *PR
 }
 
 /* CH basis, 3 bands: 12 multiplications, 4 additions (1 can fuse), 9 stores */
-PRT__INLINE void prt__ch_eval_3_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, 
-    size_t stride, int first, int last) {
-    if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
-    if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
-    if (first <= 2 && 2 < last)
-        prt__vec_store(out + 6 * stride, PRT__R(0.825888983611586872968) * (z * z) - PRT__R(0.412944491805793436484));
-    if (first <= 3 && 3 < last) prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
-    if (first <= 4 && 4 < last) prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
-    const prt__vec t1 = PRT__R(1.09254843059207907054) * z;
-    if (first <= 5 && 5 < last) prt__vec_store(out + 5 * stride, y * t1);
-    if (first <= 6 && 6 < last) prt__vec_store(out + 7 * stride, x * t1);
-    const prt__vec t2 = y * x;
-    if (first <= 7 && 7 < last) prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * (t2 + t2));
-    if (first <= 8 && 8 < last)
-        prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * ((y + x) * (x - y)));
-}
-
-PRT__STATIC void prt__ch_eval_3_v(int vectors, const prt_real *x, const prt_real *y, const prt_real *z,
-    prt_real *PRT__RESTRICT out, size_t stride) {
+PRT__STATIC void prt__ch_eval_3_v(int vectors, const prt_real *xs, const prt_real *ys, const prt_real *zs,
+    prt_real *PRT__RESTRICT rows, size_t stride) {
     int k;
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_3_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 0, 5);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_3_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 5, 9);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+        prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
+        prt__vec_store(out + 6 * stride, PRT__R(0.825888983611586872968) * (z * z) - PRT__R(0.412944491805793436484));
+        prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
+        prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = PRT__R(1.09254843059207907054) * z;
+        prt__vec_store(out + 5 * stride, y * t1);
+        prt__vec_store(out + 7 * stride, x * t1);
+        const prt__vec t2 = y * x;
+        prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * (t2 + t2));
+        prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * ((y + x) * (x - y)));
+    }
 }
 
 /* CH basis, 4 bands: 25 multiplications, 11 additions (3 can fuse), 16 stores */
@@ -9813,46 +10196,47 @@ PRT__STATIC void prt__ch_eval_4(prt_real x, prt_real y, prt_real z, prt_real *PR
 }
 
 /* CH basis, 4 bands: 25 multiplications, 11 additions (3 can fuse), 16 stores */
-PRT__INLINE void prt__ch_eval_4_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, 
-    size_t stride, int first, int last) {
-    if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
-    if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
-    const prt__vec t1 = z * z;
-    if (first <= 2 && 2 < last)
-        prt__vec_store(out + 6 * stride, PRT__R(0.825888983611586872968) * t1 - PRT__R(0.412944491805793436484));
-    const prt__vec t2 = PRT__R(1.61906625351721666923) * t1 - PRT__R(1.21429969013791250192);
-    if (first <= 3 && 3 < last) prt__vec_store(out + 12 * stride, z * t2);
-    if (first <= 4 && 4 < last) prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
-    if (first <= 5 && 5 < last) prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
-    const prt__vec t3 = PRT__R(1.09254843059207907054) * z;
-    if (first <= 6 && 6 < last) prt__vec_store(out + 5 * stride, y * t3);
-    if (first <= 7 && 7 < last) prt__vec_store(out + 7 * stride, x * t3);
-    const prt__vec t4 = PRT__R(2.2251937260415151452) * t1 - PRT__R(0.556298431510378786299);
-    if (first <= 8 && 8 < last) prt__vec_store(out + 11 * stride, y * t4);
-    if (first <= 9 && 9 < last) prt__vec_store(out + 13 * stride, x * t4);
-    const prt__vec t5 = y * x;
-    const prt__vec t6 = t5 + t5;
-    if (first <= 10 && 10 < last) prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t6);
-    const prt__vec t7 = (y + x) * (x - y);
-    if (first <= 11 && 11 < last) prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t7);
-    const prt__vec t8 = PRT__R(1.44530572132027702769) * z;
-    if (first <= 12 && 12 < last) prt__vec_store(out + 10 * stride, t6 * t8);
-    if (first <= 13 && 13 < last) prt__vec_store(out + 14 * stride, t7 * t8);
-    const prt__vec t9 = y * y;
-    const prt__vec t10 = t7 + t9;
-    if (first <= 14 && 14 < last)
-        prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * (y * (t7 + (t10 + t10))));
-    if (first <= 15 && 15 < last)
-        prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * (x * (t7 - (t9 + t9))));
-}
-
-PRT__STATIC void prt__ch_eval_4_v(int vectors, const prt_real *x, const prt_real *y, const prt_real *z,
-    prt_real *PRT__RESTRICT out, size_t stride) {
+PRT__STATIC void prt__ch_eval_4_v(int vectors, const prt_real *xs, const prt_real *ys, const prt_real *zs,
+    prt_real *PRT__RESTRICT rows, size_t stride) {
     int k;
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_4_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 0, 8);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_4_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 8, 16);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+        prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
+        const prt__vec t1 = z * z;
+        prt__vec_store(out + 6 * stride, PRT__R(0.825888983611586872968) * t1 - PRT__R(0.412944491805793436484));
+        const prt__vec t2 = PRT__R(1.61906625351721666923) * t1 - PRT__R(1.21429969013791250192);
+        prt__vec_store(out + 12 * stride, z * t2);
+        prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
+        prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
+        const prt__vec t3 = PRT__R(1.09254843059207907054) * z;
+        prt__vec_store(out + 5 * stride, y * t3);
+        prt__vec_store(out + 7 * stride, x * t3);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = PRT__R(2.2251937260415151452) * (z * z) - PRT__R(0.556298431510378786299);
+        prt__vec_store(out + 11 * stride, y * t1);
+        prt__vec_store(out + 13 * stride, x * t1);
+        const prt__vec t2 = y * x;
+        const prt__vec t3 = t2 + t2;
+        prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t3);
+        const prt__vec t4 = (y + x) * (x - y);
+        prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t4);
+        const prt__vec t5 = PRT__R(1.44530572132027702769) * z;
+        prt__vec_store(out + 10 * stride, t3 * t5);
+        prt__vec_store(out + 14 * stride, t4 * t5);
+        const prt__vec t6 = y * y;
+        const prt__vec t7 = t4 + t6;
+        prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * (y * (t4 + (t7 + t7))));
+        prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * (x * (t4 - (t6 + t6))));
+    }
 }
 
 /* CH basis, 5 bands: 41 multiplications, 17 additions (6 can fuse), 25 stores */
@@ -9903,66 +10287,81 @@ PRT__STATIC void prt__ch_eval_5(prt_real x, prt_real y, prt_real z, prt_real *PR
 }
 
 /* CH basis, 5 bands: 41 multiplications, 17 additions (6 can fuse), 25 stores */
-PRT__INLINE void prt__ch_eval_5_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, 
-    size_t stride, int first, int last) {
-    if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
-    if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
-    const prt__vec t1 = z * z;
-    const prt__vec t2 = PRT__R(0.825888983611586872968) * t1 - PRT__R(0.412944491805793436484);
-    if (first <= 2 && 2 < last) prt__vec_store(out + 6 * stride, t2);
-    const prt__vec t3 = PRT__R(1.61906625351721666923) * t1 - PRT__R(1.21429969013791250192);
-    if (first <= 3 && 3 < last) prt__vec_store(out + 12 * stride, z * t3);
-    if (first <= 4 && 4 < last)
-        prt__vec_store(out + 20 * stride, t2 * (PRT__R(4.71662269588694702818) * t2) - PRT__R(0.402146687544551258061));
-    if (first <= 5 && 5 < last) prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
-    if (first <= 6 && 6 < last) prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
-    const prt__vec t4 = PRT__R(1.09254843059207907054) * z;
-    if (first <= 7 && 7 < last) prt__vec_store(out + 5 * stride, y * t4);
-    if (first <= 8 && 8 < last) prt__vec_store(out + 7 * stride, x * t4);
-    const prt__vec t5 = PRT__R(2.2251937260415151452) * t1 - PRT__R(0.556298431510378786299);
-    if (first <= 9 && 9 < last) prt__vec_store(out + 11 * stride, y * t5);
-    if (first <= 10 && 10 < last) prt__vec_store(out + 13 * stride, x * t5);
-    const prt__vec t6 = PRT__R(4.47811599108138469697) * t1 - PRT__R(2.23905799554069234849);
-    const prt__vec t7 = z * t6;
-    if (first <= 11 && 11 < last) prt__vec_store(out + 19 * stride, y * t7);
-    if (first <= 12 && 12 < last) prt__vec_store(out + 21 * stride, x * t7);
-    const prt__vec t8 = y * x;
-    const prt__vec t9 = t8 + t8;
-    if (first <= 13 && 13 < last) prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t9);
-    const prt__vec t10 = (y + x) * (x - y);
-    if (first <= 14 && 14 < last) prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t10);
-    const prt__vec t11 = PRT__R(1.44530572132027702769) * z;
-    if (first <= 15 && 15 < last) prt__vec_store(out + 10 * stride, t9 * t11);
-    if (first <= 16 && 16 < last) prt__vec_store(out + 14 * stride, t10 * t11);
-    const prt__vec t12 = PRT__R(3.27764529177623721163) * t1 - PRT__R(0.546274215296039535272);
-    if (first <= 17 && 17 < last) prt__vec_store(out + 18 * stride, t9 * t12);
-    if (first <= 18 && 18 < last) prt__vec_store(out + 22 * stride, t10 * t12);
-    const prt__vec t13 = y * y;
-    const prt__vec t14 = t10 + t13;
-    const prt__vec t15 = y * (t10 + (t14 + t14));
-    if (first <= 19 && 19 < last) prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * t15);
-    const prt__vec t16 = x * (t10 - (t13 + t13));
-    if (first <= 20 && 20 < last) prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * t16);
-    const prt__vec t17 = PRT__R(1.77013076977993053104) * z;
-    if (first <= 21 && 21 < last) prt__vec_store(out + 17 * stride, t15 * t17);
-    if (first <= 22 && 22 < last) prt__vec_store(out + 23 * stride, t16 * t17);
-    const prt__vec t18 = t10 * t9;
-    if (first <= 23 && 23 < last) prt__vec_store(out + 16 * stride, PRT__R(0.625835735449176134587) * (t18 + t18));
-    if (first <= 24 && 24 < last)
-        prt__vec_store(out + 24 * stride, PRT__R(0.625835735449176134587) * ((t10 + t9) * (t10 - t9)));
-}
-
-PRT__STATIC void prt__ch_eval_5_v(int vectors, const prt_real *x, const prt_real *y, const prt_real *z,
-    prt_real *PRT__RESTRICT out, size_t stride) {
+PRT__STATIC void prt__ch_eval_5_v(int vectors, const prt_real *xs, const prt_real *ys, const prt_real *zs,
+    prt_real *PRT__RESTRICT rows, size_t stride) {
     int k;
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_5_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 0, 7);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_5_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 7, 14);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_5_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 14, 21);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_5_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 21, 25);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+        prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
+        const prt__vec t1 = z * z;
+        const prt__vec t2 = PRT__R(0.825888983611586872968) * t1 - PRT__R(0.412944491805793436484);
+        prt__vec_store(out + 6 * stride, t2);
+        const prt__vec t3 = PRT__R(1.61906625351721666923) * t1 - PRT__R(1.21429969013791250192);
+        prt__vec_store(out + 12 * stride, z * t3);
+        prt__vec_store(out + 20 * stride, t2 * (PRT__R(4.71662269588694702818) * t2) - PRT__R(0.402146687544551258061));
+        prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
+        prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = PRT__R(1.09254843059207907054) * z;
+        prt__vec_store(out + 5 * stride, y * t1);
+        prt__vec_store(out + 7 * stride, x * t1);
+        const prt__vec t2 = z * z;
+        const prt__vec t3 = PRT__R(2.2251937260415151452) * t2 - PRT__R(0.556298431510378786299);
+        prt__vec_store(out + 11 * stride, y * t3);
+        prt__vec_store(out + 13 * stride, x * t3);
+        const prt__vec t4 = PRT__R(4.47811599108138469697) * t2 - PRT__R(2.23905799554069234849);
+        const prt__vec t5 = z * t4;
+        prt__vec_store(out + 19 * stride, y * t5);
+        prt__vec_store(out + 21 * stride, x * t5);
+        const prt__vec t6 = y * x;
+        prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * (t6 + t6));
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = (y + x) * (x - y);
+        prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t1);
+        const prt__vec t2 = y * x;
+        const prt__vec t3 = t2 + t2;
+        const prt__vec t4 = PRT__R(1.44530572132027702769) * z;
+        prt__vec_store(out + 10 * stride, t3 * t4);
+        prt__vec_store(out + 14 * stride, t1 * t4);
+        const prt__vec t5 = PRT__R(3.27764529177623721163) * (z * z) - PRT__R(0.546274215296039535272);
+        prt__vec_store(out + 18 * stride, t3 * t5);
+        prt__vec_store(out + 22 * stride, t1 * t5);
+        const prt__vec t6 = y * y;
+        const prt__vec t7 = t1 + t6;
+        prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * (y * (t1 + (t7 + t7))));
+        prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * (x * (t1 - (t6 + t6))));
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = (y + x) * (x - y);
+        const prt__vec t2 = y * y;
+        const prt__vec t3 = t1 + t2;
+        const prt__vec t4 = PRT__R(1.77013076977993053104) * z;
+        prt__vec_store(out + 17 * stride, (y * (t1 + (t3 + t3))) * t4);
+        prt__vec_store(out + 23 * stride, (x * (t1 - (t2 + t2))) * t4);
+        const prt__vec t5 = y * x;
+        const prt__vec t6 = t5 + t5;
+        const prt__vec t7 = t1 * t6;
+        prt__vec_store(out + 16 * stride, PRT__R(0.625835735449176134587) * (t7 + t7));
+        prt__vec_store(out + 24 * stride, PRT__R(0.625835735449176134587) * ((t1 + t6) * (t1 - t6)));
+    }
 }
 
 /* CH basis, 6 bands: 64 multiplications, 24 additions (13 can fuse), 36 stores */
@@ -10034,90 +10433,112 @@ PRT__STATIC void prt__ch_eval_6(prt_real x, prt_real y, prt_real z, prt_real *PR
 }
 
 /* CH basis, 6 bands: 64 multiplications, 24 additions (13 can fuse), 36 stores */
-PRT__INLINE void prt__ch_eval_6_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, 
-    size_t stride, int first, int last) {
-    if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
-    if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
-    const prt__vec t1 = z * z;
-    const prt__vec t2 = PRT__R(0.825888983611586872968) * t1 - PRT__R(0.412944491805793436484);
-    if (first <= 2 && 2 < last) prt__vec_store(out + 6 * stride, t2);
-    const prt__vec t3 = PRT__R(1.61906625351721666923) * t1 - PRT__R(1.21429969013791250192);
-    const prt__vec t4 = z * t3;
-    if (first <= 3 && 3 < last) prt__vec_store(out + 12 * stride, t4);
-    const prt__vec t5 = t2 * (PRT__R(4.71662269588694702818) * t2) - PRT__R(0.402146687544551258061);
-    if (first <= 4 && 4 < last) prt__vec_store(out + 20 * stride, t5);
-    if (first <= 5 && 5 < last)
-        prt__vec_store(out + 30 * stride, PRT__R(1.9941605714785482504) * (z * t5) - PRT__R(0.990626623845594065416) * t4);
-    if (first <= 6 && 6 < last) prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
-    if (first <= 7 && 7 < last) prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
-    const prt__vec t6 = PRT__R(1.09254843059207907054) * z;
-    if (first <= 8 && 8 < last) prt__vec_store(out + 5 * stride, y * t6);
-    if (first <= 9 && 9 < last) prt__vec_store(out + 7 * stride, x * t6);
-    const prt__vec t7 = PRT__R(2.2251937260415151452) * t1 - PRT__R(0.556298431510378786299);
-    if (first <= 10 && 10 < last) prt__vec_store(out + 11 * stride, y * t7);
-    if (first <= 11 && 11 < last) prt__vec_store(out + 13 * stride, x * t7);
-    const prt__vec t8 = PRT__R(4.47811599108138469697) * t1 - PRT__R(2.23905799554069234849);
-    const prt__vec t9 = z * t8;
-    if (first <= 12 && 12 < last) prt__vec_store(out + 19 * stride, y * t9);
-    if (first <= 13 && 13 < last) prt__vec_store(out + 21 * stride, x * t9);
-    const prt__vec t10 = PRT__R(1.81395700920230242682) * t7 - PRT__R(1.00910143904649857838);
-    const prt__vec t11 = t7 * t10 - PRT__R(0.561361547776433262911);
-    if (first <= 14 && 14 < last) prt__vec_store(out + 29 * stride, y * t11);
-    if (first <= 15 && 15 < last) prt__vec_store(out + 31 * stride, x * t11);
-    const prt__vec t12 = y * x;
-    const prt__vec t13 = t12 + t12;
-    if (first <= 16 && 16 < last) prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t13);
-    const prt__vec t14 = (y + x) * (x - y);
-    if (first <= 17 && 17 < last) prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t14);
-    const prt__vec t15 = PRT__R(1.44530572132027702769) * z;
-    if (first <= 18 && 18 < last) prt__vec_store(out + 10 * stride, t13 * t15);
-    if (first <= 19 && 19 < last) prt__vec_store(out + 14 * stride, t14 * t15);
-    const prt__vec t16 = PRT__R(3.27764529177623721163) * t1 - PRT__R(0.546274215296039535272);
-    if (first <= 20 && 20 < last) prt__vec_store(out + 18 * stride, t13 * t16);
-    if (first <= 21 && 21 < last) prt__vec_store(out + 22 * stride, t14 * t16);
-    const prt__vec t17 = PRT__R(7.04063249082559160399) * t1 - PRT__R(2.6402371840595968515);
-    const prt__vec t18 = z * t17;
-    if (first <= 22 && 22 < last) prt__vec_store(out + 28 * stride, t13 * t18);
-    if (first <= 23 && 23 < last) prt__vec_store(out + 32 * stride, t14 * t18);
-    const prt__vec t19 = y * y;
-    const prt__vec t20 = t14 + t19;
-    const prt__vec t21 = y * (t14 + (t20 + t20));
-    if (first <= 24 && 24 < last) prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * t21);
-    const prt__vec t22 = x * (t14 - (t19 + t19));
-    if (first <= 25 && 25 < last) prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * t22);
-    const prt__vec t23 = PRT__R(1.77013076977993053104) * z;
-    if (first <= 26 && 26 < last) prt__vec_store(out + 17 * stride, t21 * t23);
-    if (first <= 27 && 27 < last) prt__vec_store(out + 23 * stride, t22 * t23);
-    const prt__vec t24 = PRT__R(4.37968383934737954461) * t1 - PRT__R(0.547460479918422443076);
-    if (first <= 28 && 28 < last) prt__vec_store(out + 27 * stride, t21 * t24);
-    if (first <= 29 && 29 < last) prt__vec_store(out + 33 * stride, t22 * t24);
-    const prt__vec t25 = t14 * t13;
-    const prt__vec t26 = t25 + t25;
-    if (first <= 30 && 30 < last) prt__vec_store(out + 16 * stride, PRT__R(0.625835735449176134587) * t26);
-    const prt__vec t27 = (t14 + t13) * (t14 - t13);
-    if (first <= 31 && 31 < last) prt__vec_store(out + 24 * stride, PRT__R(0.625835735449176134587) * t27);
-    const prt__vec t28 = PRT__R(2.075662314881041279) * z;
-    if (first <= 32 && 32 < last) prt__vec_store(out + 26 * stride, t26 * t28);
-    if (first <= 33 && 33 < last) prt__vec_store(out + 34 * stride, t27 * t28);
-    if (first <= 34 && 34 < last)
-        prt__vec_store(out + 25 * stride, PRT__R(0.656382056840170102814) * (y * t27 + x * t26));
-    if (first <= 35 && 35 < last)
-        prt__vec_store(out + 35 * stride, PRT__R(0.656382056840170102814) * (x * t27 - y * t26));
-}
-
-PRT__STATIC void prt__ch_eval_6_v(int vectors, const prt_real *x, const prt_real *y, const prt_real *z,
-    prt_real *PRT__RESTRICT out, size_t stride) {
+PRT__STATIC void prt__ch_eval_6_v(int vectors, const prt_real *xs, const prt_real *ys, const prt_real *zs,
+    prt_real *PRT__RESTRICT rows, size_t stride) {
     int k;
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_6_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 0, 8);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_6_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 8, 16);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_6_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 16, 24);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_6_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 24, 32);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_6_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 32, 36);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+        prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
+        const prt__vec t1 = z * z;
+        const prt__vec t2 = PRT__R(0.825888983611586872968) * t1 - PRT__R(0.412944491805793436484);
+        prt__vec_store(out + 6 * stride, t2);
+        const prt__vec t3 = PRT__R(1.61906625351721666923) * t1 - PRT__R(1.21429969013791250192);
+        const prt__vec t4 = z * t3;
+        prt__vec_store(out + 12 * stride, t4);
+        const prt__vec t5 = t2 * (PRT__R(4.71662269588694702818) * t2) - PRT__R(0.402146687544551258061);
+        prt__vec_store(out + 20 * stride, t5);
+        prt__vec_store(out + 30 * stride, PRT__R(1.9941605714785482504) * (z * t5) - PRT__R(0.990626623845594065416) * t4);
+        prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
+        prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = PRT__R(1.09254843059207907054) * z;
+        prt__vec_store(out + 5 * stride, y * t1);
+        prt__vec_store(out + 7 * stride, x * t1);
+        const prt__vec t2 = z * z;
+        const prt__vec t3 = PRT__R(2.2251937260415151452) * t2 - PRT__R(0.556298431510378786299);
+        prt__vec_store(out + 11 * stride, y * t3);
+        prt__vec_store(out + 13 * stride, x * t3);
+        const prt__vec t4 = PRT__R(4.47811599108138469697) * t2 - PRT__R(2.23905799554069234849);
+        const prt__vec t5 = z * t4;
+        prt__vec_store(out + 19 * stride, y * t5);
+        prt__vec_store(out + 21 * stride, x * t5);
+        const prt__vec t6 = PRT__R(1.81395700920230242682) * t3 - PRT__R(1.00910143904649857838);
+        const prt__vec t7 = t3 * t6 - PRT__R(0.561361547776433262911);
+        prt__vec_store(out + 29 * stride, y * t7);
+        prt__vec_store(out + 31 * stride, x * t7);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = y * x;
+        const prt__vec t2 = t1 + t1;
+        prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t2);
+        const prt__vec t3 = (y + x) * (x - y);
+        prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t3);
+        const prt__vec t4 = PRT__R(1.44530572132027702769) * z;
+        prt__vec_store(out + 10 * stride, t2 * t4);
+        prt__vec_store(out + 14 * stride, t3 * t4);
+        const prt__vec t5 = z * z;
+        const prt__vec t6 = PRT__R(3.27764529177623721163) * t5 - PRT__R(0.546274215296039535272);
+        prt__vec_store(out + 18 * stride, t2 * t6);
+        prt__vec_store(out + 22 * stride, t3 * t6);
+        const prt__vec t7 = PRT__R(7.04063249082559160399) * t5 - PRT__R(2.6402371840595968515);
+        const prt__vec t8 = z * t7;
+        prt__vec_store(out + 28 * stride, t2 * t8);
+        prt__vec_store(out + 32 * stride, t3 * t8);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = (y + x) * (x - y);
+        const prt__vec t2 = y * y;
+        const prt__vec t3 = t1 + t2;
+        const prt__vec t4 = y * (t1 + (t3 + t3));
+        prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * t4);
+        const prt__vec t5 = x * (t1 - (t2 + t2));
+        prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * t5);
+        const prt__vec t6 = PRT__R(1.77013076977993053104) * z;
+        prt__vec_store(out + 17 * stride, t4 * t6);
+        prt__vec_store(out + 23 * stride, t5 * t6);
+        const prt__vec t7 = PRT__R(4.37968383934737954461) * (z * z) - PRT__R(0.547460479918422443076);
+        prt__vec_store(out + 27 * stride, t4 * t7);
+        prt__vec_store(out + 33 * stride, t5 * t7);
+        const prt__vec t8 = y * x;
+        const prt__vec t9 = t8 + t8;
+        const prt__vec t10 = t1 * t9;
+        prt__vec_store(out + 16 * stride, PRT__R(0.625835735449176134587) * (t10 + t10));
+        prt__vec_store(out + 24 * stride, PRT__R(0.625835735449176134587) * ((t1 + t9) * (t1 - t9)));
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = (y + x) * (x - y);
+        const prt__vec t2 = y * x;
+        const prt__vec t3 = t2 + t2;
+        const prt__vec t4 = t1 * t3;
+        const prt__vec t5 = t4 + t4;
+        const prt__vec t6 = PRT__R(2.075662314881041279) * z;
+        prt__vec_store(out + 26 * stride, t5 * t6);
+        const prt__vec t7 = (t1 + t3) * (t1 - t3);
+        prt__vec_store(out + 34 * stride, t7 * t6);
+        prt__vec_store(out + 25 * stride, PRT__R(0.656382056840170102814) * (y * t7 + x * t5));
+        prt__vec_store(out + 35 * stride, PRT__R(0.656382056840170102814) * (x * t7 - y * t5));
+    }
 }
 
 /* CH basis, 7 bands: 90 multiplications, 33 additions (19 can fuse), 49 stores */
@@ -10213,117 +10634,163 @@ PRT__STATIC void prt__ch_eval_7(prt_real x, prt_real y, prt_real z, prt_real *PR
 }
 
 /* CH basis, 7 bands: 90 multiplications, 33 additions (19 can fuse), 49 stores */
-PRT__INLINE void prt__ch_eval_7_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, 
-    size_t stride, int first, int last) {
-    if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
-    if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
-    const prt__vec t1 = z * z;
-    const prt__vec t2 = PRT__R(0.825888983611586872968) * t1 - PRT__R(0.412944491805793436484);
-    if (first <= 2 && 2 < last) prt__vec_store(out + 6 * stride, t2);
-    const prt__vec t3 = PRT__R(1.61906625351721666923) * t1 - PRT__R(1.21429969013791250192);
-    const prt__vec t4 = z * t3;
-    if (first <= 3 && 3 < last) prt__vec_store(out + 12 * stride, t4);
-    const prt__vec t5 = t2 * (PRT__R(4.71662269588694702818) * t2) - PRT__R(0.402146687544551258061);
-    if (first <= 4 && 4 < last) prt__vec_store(out + 20 * stride, t5);
-    const prt__vec t6 = PRT__R(1.9941605714785482504) * (z * t5) - PRT__R(0.990626623845594065416) * t4;
-    if (first <= 5 && 5 < last) prt__vec_store(out + 30 * stride, t6);
-    if (first <= 6 && 6 < last)
-        prt__vec_store(out + 42 * stride, PRT__R(1.99686765665245415552) * (z * t6) - PRT__R(0.995518686839271862673) * t5);
-    if (first <= 7 && 7 < last) prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
-    if (first <= 8 && 8 < last) prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
-    const prt__vec t7 = PRT__R(1.09254843059207907054) * z;
-    if (first <= 9 && 9 < last) prt__vec_store(out + 5 * stride, y * t7);
-    if (first <= 10 && 10 < last) prt__vec_store(out + 7 * stride, x * t7);
-    const prt__vec t8 = PRT__R(2.2251937260415151452) * t1 - PRT__R(0.556298431510378786299);
-    if (first <= 11 && 11 < last) prt__vec_store(out + 11 * stride, y * t8);
-    if (first <= 12 && 12 < last) prt__vec_store(out + 13 * stride, x * t8);
-    const prt__vec t9 = PRT__R(4.47811599108138469697) * t1 - PRT__R(2.23905799554069234849);
-    const prt__vec t10 = z * t9;
-    if (first <= 13 && 13 < last) prt__vec_store(out + 19 * stride, y * t10);
-    if (first <= 14 && 14 < last) prt__vec_store(out + 21 * stride, x * t10);
-    const prt__vec t11 = PRT__R(1.81395700920230242682) * t8 - PRT__R(1.00910143904649857838);
-    const prt__vec t12 = t8 * t11 - PRT__R(0.561361547776433262911);
-    if (first <= 15 && 15 < last) prt__vec_store(out + 29 * stride, y * t12);
-    if (first <= 16 && 16 < last) prt__vec_store(out + 31 * stride, x * t12);
-    const prt__vec t13 = PRT__R(2.00308404192443849618) * (z * t12) - PRT__R(1.00439949330516663946) * t10;
-    if (first <= 17 && 17 < last) prt__vec_store(out + 41 * stride, y * t13);
-    if (first <= 18 && 18 < last) prt__vec_store(out + 43 * stride, x * t13);
-    const prt__vec t14 = y * x;
-    const prt__vec t15 = t14 + t14;
-    if (first <= 19 && 19 < last) prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t15);
-    const prt__vec t16 = (y + x) * (x - y);
-    if (first <= 20 && 20 < last) prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t16);
-    const prt__vec t17 = PRT__R(1.44530572132027702769) * z;
-    if (first <= 21 && 21 < last) prt__vec_store(out + 10 * stride, t15 * t17);
-    if (first <= 22 && 22 < last) prt__vec_store(out + 14 * stride, t16 * t17);
-    const prt__vec t18 = PRT__R(3.27764529177623721163) * t1 - PRT__R(0.546274215296039535272);
-    if (first <= 23 && 23 < last) prt__vec_store(out + 18 * stride, t15 * t18);
-    if (first <= 24 && 24 < last) prt__vec_store(out + 22 * stride, t16 * t18);
-    const prt__vec t19 = PRT__R(7.04063249082559160399) * t1 - PRT__R(2.6402371840595968515);
-    const prt__vec t20 = z * t19;
-    if (first <= 25 && 25 < last) prt__vec_store(out + 28 * stride, t15 * t20);
-    if (first <= 26 && 26 < last) prt__vec_store(out + 32 * stride, t16 * t20);
-    const prt__vec t21 = PRT__R(1.37233279507355082388) * t18 - PRT__R(1.19947203320611937035);
-    const prt__vec t22 = t18 * t21 - PRT__R(0.511906752897826512122);
-    if (first <= 27 && 27 < last) prt__vec_store(out + 40 * stride, t15 * t22);
-    if (first <= 28 && 28 < last) prt__vec_store(out + 44 * stride, t16 * t22);
-    const prt__vec t23 = y * y;
-    const prt__vec t24 = t16 + t23;
-    const prt__vec t25 = y * (t16 + (t24 + t24));
-    if (first <= 29 && 29 < last) prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * t25);
-    const prt__vec t26 = x * (t16 - (t23 + t23));
-    if (first <= 30 && 30 < last) prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * t26);
-    const prt__vec t27 = PRT__R(1.77013076977993053104) * z;
-    if (first <= 31 && 31 < last) prt__vec_store(out + 17 * stride, t25 * t27);
-    if (first <= 32 && 32 < last) prt__vec_store(out + 23 * stride, t26 * t27);
-    const prt__vec t28 = PRT__R(4.37968383934737954461) * t1 - PRT__R(0.547460479918422443076);
-    if (first <= 33 && 33 < last) prt__vec_store(out + 27 * stride, t25 * t28);
-    if (first <= 34 && 34 < last) prt__vec_store(out + 33 * stride, t26 * t28);
-    const prt__vec t29 = PRT__R(10.0119715893477442193) * t1 - PRT__R(3.0035914768043232658);
-    const prt__vec t30 = z * t29;
-    if (first <= 35 && 35 < last) prt__vec_store(out + 39 * stride, t25 * t30);
-    if (first <= 36 && 36 < last) prt__vec_store(out + 45 * stride, t26 * t30);
-    const prt__vec t31 = t16 * t15;
-    const prt__vec t32 = t31 + t31;
-    if (first <= 37 && 37 < last) prt__vec_store(out + 16 * stride, PRT__R(0.625835735449176134587) * t32);
-    const prt__vec t33 = (t16 + t15) * (t16 - t15);
-    if (first <= 38 && 38 < last) prt__vec_store(out + 24 * stride, PRT__R(0.625835735449176134587) * t33);
-    const prt__vec t34 = PRT__R(2.075662314881041279) * z;
-    if (first <= 39 && 39 < last) prt__vec_store(out + 26 * stride, t32 * t34);
-    if (first <= 40 && 40 < last) prt__vec_store(out + 34 * stride, t33 * t34);
-    const prt__vec t35 = PRT__R(5.53226317538874894011) * t1 - PRT__R(0.553226317538874894011);
-    if (first <= 41 && 41 < last) prt__vec_store(out + 38 * stride, t32 * t35);
-    if (first <= 42 && 42 < last) prt__vec_store(out + 46 * stride, t33 * t35);
-    const prt__vec t36 = y * t33 + x * t32;
-    if (first <= 43 && 43 < last) prt__vec_store(out + 25 * stride, PRT__R(0.656382056840170102814) * t36);
-    const prt__vec t37 = x * t33 - y * t32;
-    if (first <= 44 && 44 < last) prt__vec_store(out + 35 * stride, PRT__R(0.656382056840170102814) * t37);
-    const prt__vec t38 = PRT__R(2.36661916223175203199) * z;
-    if (first <= 45 && 45 < last) prt__vec_store(out + 37 * stride, t36 * t38);
-    if (first <= 46 && 46 < last) prt__vec_store(out + 47 * stride, t37 * t38);
-    const prt__vec t39 = t26 * t25;
-    if (first <= 47 && 47 < last) prt__vec_store(out + 36 * stride, PRT__R(0.683184105191914321975) * (t39 + t39));
-    if (first <= 48 && 48 < last)
-        prt__vec_store(out + 48 * stride, PRT__R(0.683184105191914321975) * ((t26 + t25) * (t26 - t25)));
-}
-
-PRT__STATIC void prt__ch_eval_7_v(int vectors, const prt_real *x, const prt_real *y, const prt_real *z,
-    prt_real *PRT__RESTRICT out, size_t stride) {
+PRT__STATIC void prt__ch_eval_7_v(int vectors, const prt_real *xs, const prt_real *ys, const prt_real *zs,
+    prt_real *PRT__RESTRICT rows, size_t stride) {
     int k;
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_7_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 0, 7);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_7_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 7, 14);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_7_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 14, 21);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_7_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 21, 28);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_7_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 28, 35);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_7_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 35, 42);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_7_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 42, 49);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+        prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
+        const prt__vec t1 = z * z;
+        const prt__vec t2 = PRT__R(0.825888983611586872968) * t1 - PRT__R(0.412944491805793436484);
+        prt__vec_store(out + 6 * stride, t2);
+        const prt__vec t3 = PRT__R(1.61906625351721666923) * t1 - PRT__R(1.21429969013791250192);
+        const prt__vec t4 = z * t3;
+        prt__vec_store(out + 12 * stride, t4);
+        const prt__vec t5 = t2 * (PRT__R(4.71662269588694702818) * t2) - PRT__R(0.402146687544551258061);
+        prt__vec_store(out + 20 * stride, t5);
+        const prt__vec t6 = PRT__R(1.9941605714785482504) * (z * t5) - PRT__R(0.990626623845594065416) * t4;
+        prt__vec_store(out + 30 * stride, t6);
+        prt__vec_store(out + 42 * stride, PRT__R(1.99686765665245415552) * (z * t6) - PRT__R(0.995518686839271862673) * t5);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
+        prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
+        const prt__vec t1 = PRT__R(1.09254843059207907054) * z;
+        prt__vec_store(out + 5 * stride, y * t1);
+        prt__vec_store(out + 7 * stride, x * t1);
+        const prt__vec t2 = z * z;
+        const prt__vec t3 = PRT__R(2.2251937260415151452) * t2 - PRT__R(0.556298431510378786299);
+        prt__vec_store(out + 11 * stride, y * t3);
+        prt__vec_store(out + 13 * stride, x * t3);
+        const prt__vec t4 = PRT__R(4.47811599108138469697) * t2 - PRT__R(2.23905799554069234849);
+        prt__vec_store(out + 19 * stride, y * (z * t4));
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = z * z;
+        const prt__vec t2 = PRT__R(4.47811599108138469697) * t1 - PRT__R(2.23905799554069234849);
+        const prt__vec t3 = z * t2;
+        prt__vec_store(out + 21 * stride, x * t3);
+        const prt__vec t4 = PRT__R(2.2251937260415151452) * t1 - PRT__R(0.556298431510378786299);
+        const prt__vec t5 = PRT__R(1.81395700920230242682) * t4 - PRT__R(1.00910143904649857838);
+        const prt__vec t6 = t4 * t5 - PRT__R(0.561361547776433262911);
+        prt__vec_store(out + 29 * stride, y * t6);
+        prt__vec_store(out + 31 * stride, x * t6);
+        const prt__vec t7 = PRT__R(2.00308404192443849618) * (z * t6) - PRT__R(1.00439949330516663946) * t3;
+        prt__vec_store(out + 41 * stride, y * t7);
+        prt__vec_store(out + 43 * stride, x * t7);
+        const prt__vec t8 = y * x;
+        prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * (t8 + t8));
+        prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * ((y + x) * (x - y)));
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = y * x;
+        const prt__vec t2 = t1 + t1;
+        const prt__vec t3 = PRT__R(1.44530572132027702769) * z;
+        prt__vec_store(out + 10 * stride, t2 * t3);
+        const prt__vec t4 = (y + x) * (x - y);
+        prt__vec_store(out + 14 * stride, t4 * t3);
+        const prt__vec t5 = z * z;
+        const prt__vec t6 = PRT__R(3.27764529177623721163) * t5 - PRT__R(0.546274215296039535272);
+        prt__vec_store(out + 18 * stride, t2 * t6);
+        prt__vec_store(out + 22 * stride, t4 * t6);
+        const prt__vec t7 = PRT__R(7.04063249082559160399) * t5 - PRT__R(2.6402371840595968515);
+        const prt__vec t8 = z * t7;
+        prt__vec_store(out + 28 * stride, t2 * t8);
+        prt__vec_store(out + 32 * stride, t4 * t8);
+        const prt__vec t9 = PRT__R(1.37233279507355082388) * t6 - PRT__R(1.19947203320611937035);
+        prt__vec_store(out + 40 * stride, t2 * (t6 * t9 - PRT__R(0.511906752897826512122)));
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = (y + x) * (x - y);
+        const prt__vec t2 = z * z;
+        const prt__vec t3 = PRT__R(3.27764529177623721163) * t2 - PRT__R(0.546274215296039535272);
+        const prt__vec t4 = PRT__R(1.37233279507355082388) * t3 - PRT__R(1.19947203320611937035);
+        prt__vec_store(out + 44 * stride, t1 * (t3 * t4 - PRT__R(0.511906752897826512122)));
+        const prt__vec t5 = y * y;
+        const prt__vec t6 = t1 + t5;
+        const prt__vec t7 = y * (t1 + (t6 + t6));
+        prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * t7);
+        const prt__vec t8 = x * (t1 - (t5 + t5));
+        prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * t8);
+        const prt__vec t9 = PRT__R(1.77013076977993053104) * z;
+        prt__vec_store(out + 17 * stride, t7 * t9);
+        prt__vec_store(out + 23 * stride, t8 * t9);
+        const prt__vec t10 = PRT__R(4.37968383934737954461) * t2 - PRT__R(0.547460479918422443076);
+        prt__vec_store(out + 27 * stride, t7 * t10);
+        prt__vec_store(out + 33 * stride, t8 * t10);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = (y + x) * (x - y);
+        const prt__vec t2 = y * y;
+        const prt__vec t3 = t1 + t2;
+        const prt__vec t4 = z * z;
+        const prt__vec t5 = PRT__R(10.0119715893477442193) * t4 - PRT__R(3.0035914768043232658);
+        const prt__vec t6 = z * t5;
+        prt__vec_store(out + 39 * stride, (y * (t1 + (t3 + t3))) * t6);
+        prt__vec_store(out + 45 * stride, (x * (t1 - (t2 + t2))) * t6);
+        const prt__vec t7 = y * x;
+        const prt__vec t8 = t7 + t7;
+        const prt__vec t9 = t1 * t8;
+        const prt__vec t10 = t9 + t9;
+        prt__vec_store(out + 16 * stride, PRT__R(0.625835735449176134587) * t10);
+        const prt__vec t11 = (t1 + t8) * (t1 - t8);
+        prt__vec_store(out + 24 * stride, PRT__R(0.625835735449176134587) * t11);
+        const prt__vec t12 = PRT__R(2.075662314881041279) * z;
+        prt__vec_store(out + 26 * stride, t10 * t12);
+        prt__vec_store(out + 34 * stride, t11 * t12);
+        const prt__vec t13 = PRT__R(5.53226317538874894011) * t4 - PRT__R(0.553226317538874894011);
+        prt__vec_store(out + 38 * stride, t10 * t13);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = (y + x) * (x - y);
+        const prt__vec t2 = y * x;
+        const prt__vec t3 = t2 + t2;
+        const prt__vec t4 = (t1 + t3) * (t1 - t3);
+        const prt__vec t5 = PRT__R(5.53226317538874894011) * (z * z) - PRT__R(0.553226317538874894011);
+        prt__vec_store(out + 46 * stride, t4 * t5);
+        const prt__vec t6 = t1 * t3;
+        const prt__vec t7 = t6 + t6;
+        const prt__vec t8 = y * t4 + x * t7;
+        prt__vec_store(out + 25 * stride, PRT__R(0.656382056840170102814) * t8);
+        const prt__vec t9 = x * t4 - y * t7;
+        prt__vec_store(out + 35 * stride, PRT__R(0.656382056840170102814) * t9);
+        const prt__vec t10 = PRT__R(2.36661916223175203199) * z;
+        prt__vec_store(out + 37 * stride, t8 * t10);
+        prt__vec_store(out + 47 * stride, t9 * t10);
+        const prt__vec t11 = y * y;
+        const prt__vec t12 = x * (t1 - (t11 + t11));
+        const prt__vec t13 = t1 + t11;
+        const prt__vec t14 = y * (t1 + (t13 + t13));
+        const prt__vec t15 = t12 * t14;
+        prt__vec_store(out + 36 * stride, PRT__R(0.683184105191914321975) * (t15 + t15));
+        prt__vec_store(out + 48 * stride, PRT__R(0.683184105191914321975) * ((t12 + t14) * (t12 - t14)));
+    }
 }
 
 /* CH basis, 8 bands: 123 multiplications, 42 additions (28 can fuse), 64 stores */
@@ -10445,146 +10912,208 @@ PRT__STATIC void prt__ch_eval_8(prt_real x, prt_real y, prt_real z, prt_real *PR
 }
 
 /* CH basis, 8 bands: 123 multiplications, 42 additions (28 can fuse), 64 stores */
-PRT__INLINE void prt__ch_eval_8_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, 
-    size_t stride, int first, int last) {
-    if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
-    if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
-    const prt__vec t1 = z * z;
-    const prt__vec t2 = PRT__R(0.825888983611586872968) * t1 - PRT__R(0.412944491805793436484);
-    if (first <= 2 && 2 < last) prt__vec_store(out + 6 * stride, t2);
-    const prt__vec t3 = PRT__R(1.61906625351721666923) * t1 - PRT__R(1.21429969013791250192);
-    const prt__vec t4 = z * t3;
-    if (first <= 3 && 3 < last) prt__vec_store(out + 12 * stride, t4);
-    const prt__vec t5 = t2 * (PRT__R(4.71662269588694702818) * t2) - PRT__R(0.402146687544551258061);
-    if (first <= 4 && 4 < last) prt__vec_store(out + 20 * stride, t5);
-    const prt__vec t6 = PRT__R(1.9941605714785482504) * (z * t5) - PRT__R(0.990626623845594065416) * t4;
-    if (first <= 5 && 5 < last) prt__vec_store(out + 30 * stride, t6);
-    const prt__vec t7 = PRT__R(1.99686765665245415552) * (z * t6) - PRT__R(0.995518686839271862673) * t5;
-    if (first <= 6 && 6 < last) prt__vec_store(out + 42 * stride, t7);
-    if (first <= 7 && 7 < last)
-        prt__vec_store(out + 56 * stride, PRT__R(1.9981247065730924832) * (z * t7) - PRT__R(0.99749765012849593691) * t6);
-    if (first <= 8 && 8 < last) prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
-    if (first <= 9 && 9 < last) prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
-    const prt__vec t8 = PRT__R(1.09254843059207907054) * z;
-    if (first <= 10 && 10 < last) prt__vec_store(out + 5 * stride, y * t8);
-    if (first <= 11 && 11 < last) prt__vec_store(out + 7 * stride, x * t8);
-    const prt__vec t9 = PRT__R(2.2251937260415151452) * t1 - PRT__R(0.556298431510378786299);
-    if (first <= 12 && 12 < last) prt__vec_store(out + 11 * stride, y * t9);
-    if (first <= 13 && 13 < last) prt__vec_store(out + 13 * stride, x * t9);
-    const prt__vec t10 = PRT__R(4.47811599108138469697) * t1 - PRT__R(2.23905799554069234849);
-    const prt__vec t11 = z * t10;
-    if (first <= 14 && 14 < last) prt__vec_store(out + 19 * stride, y * t11);
-    if (first <= 15 && 15 < last) prt__vec_store(out + 21 * stride, x * t11);
-    const prt__vec t12 = PRT__R(1.81395700920230242682) * t9 - PRT__R(1.00910143904649857838);
-    const prt__vec t13 = t9 * t12 - PRT__R(0.561361547776433262911);
-    if (first <= 16 && 16 < last) prt__vec_store(out + 29 * stride, y * t13);
-    if (first <= 17 && 17 < last) prt__vec_store(out + 31 * stride, x * t13);
-    const prt__vec t14 = PRT__R(2.00308404192443849618) * (z * t13) - PRT__R(1.00439949330516663946) * t11;
-    if (first <= 18 && 18 < last) prt__vec_store(out + 41 * stride, y * t14);
-    if (first <= 19 && 19 < last) prt__vec_store(out + 43 * stride, x * t14);
-    const prt__vec t15 = PRT__R(2.00185442784391621093) * (z * t14) - PRT__R(1.00247066466748147447) * t13;
-    if (first <= 20 && 20 < last) prt__vec_store(out + 55 * stride, y * t15);
-    if (first <= 21 && 21 < last) prt__vec_store(out + 57 * stride, x * t15);
-    const prt__vec t16 = y * x;
-    const prt__vec t17 = t16 + t16;
-    if (first <= 22 && 22 < last) prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t17);
-    const prt__vec t18 = (y + x) * (x - y);
-    if (first <= 23 && 23 < last) prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t18);
-    const prt__vec t19 = PRT__R(1.44530572132027702769) * z;
-    if (first <= 24 && 24 < last) prt__vec_store(out + 10 * stride, t17 * t19);
-    if (first <= 25 && 25 < last) prt__vec_store(out + 14 * stride, t18 * t19);
-    const prt__vec t20 = PRT__R(3.27764529177623721163) * t1 - PRT__R(0.546274215296039535272);
-    if (first <= 26 && 26 < last) prt__vec_store(out + 18 * stride, t17 * t20);
-    if (first <= 27 && 27 < last) prt__vec_store(out + 22 * stride, t18 * t20);
-    const prt__vec t21 = PRT__R(7.04063249082559160399) * t1 - PRT__R(2.6402371840595968515);
-    const prt__vec t22 = z * t21;
-    if (first <= 28 && 28 < last) prt__vec_store(out + 28 * stride, t17 * t22);
-    if (first <= 29 && 29 < last) prt__vec_store(out + 32 * stride, t18 * t22);
-    const prt__vec t23 = PRT__R(1.37233279507355082388) * t20 - PRT__R(1.19947203320611937035);
-    const prt__vec t24 = t20 * t23 - PRT__R(0.511906752897826512122);
-    if (first <= 30 && 30 < last) prt__vec_store(out + 40 * stride, t17 * t24);
-    if (first <= 31 && 31 < last) prt__vec_store(out + 44 * stride, t18 * t24);
-    const prt__vec t25 = PRT__R(2.06485074947180018626) * (z * t24) - PRT__R(1.00887444616012613957) * t22;
-    if (first <= 32 && 32 < last) prt__vec_store(out + 54 * stride, t17 * t25);
-    if (first <= 33 && 33 < last) prt__vec_store(out + 58 * stride, t18 * t25);
-    const prt__vec t26 = y * y;
-    const prt__vec t27 = t18 + t26;
-    const prt__vec t28 = y * (t18 + (t27 + t27));
-    if (first <= 34 && 34 < last) prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * t28);
-    const prt__vec t29 = x * (t18 - (t26 + t26));
-    if (first <= 35 && 35 < last) prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * t29);
-    const prt__vec t30 = PRT__R(1.77013076977993053104) * z;
-    if (first <= 36 && 36 < last) prt__vec_store(out + 17 * stride, t28 * t30);
-    if (first <= 37 && 37 < last) prt__vec_store(out + 23 * stride, t29 * t30);
-    const prt__vec t31 = PRT__R(4.37968383934737954461) * t1 - PRT__R(0.547460479918422443076);
-    if (first <= 38 && 38 < last) prt__vec_store(out + 27 * stride, t28 * t31);
-    if (first <= 39 && 39 < last) prt__vec_store(out + 33 * stride, t29 * t31);
-    const prt__vec t32 = PRT__R(10.0119715893477442193) * t1 - PRT__R(3.0035914768043232658);
-    const prt__vec t33 = z * t32;
-    if (first <= 40 && 40 < last) prt__vec_store(out + 39 * stride, t28 * t33);
-    if (first <= 41 && 41 < last) prt__vec_store(out + 45 * stride, t29 * t33);
-    const prt__vec t34 = PRT__R(1.14470177335741903992) * t31 - PRT__R(1.25335796441144373015);
-    const prt__vec t35 = t31 * t34 - PRT__R(0.48031476689438621492);
-    if (first <= 42 && 42 < last) prt__vec_store(out + 53 * stride, t28 * t35);
-    if (first <= 43 && 43 < last) prt__vec_store(out + 59 * stride, t29 * t35);
-    const prt__vec t36 = t18 * t17;
-    const prt__vec t37 = t36 + t36;
-    if (first <= 44 && 44 < last) prt__vec_store(out + 16 * stride, PRT__R(0.625835735449176134587) * t37);
-    const prt__vec t38 = (t18 + t17) * (t18 - t17);
-    if (first <= 45 && 45 < last) prt__vec_store(out + 24 * stride, PRT__R(0.625835735449176134587) * t38);
-    const prt__vec t39 = PRT__R(2.075662314881041279) * z;
-    if (first <= 46 && 46 < last) prt__vec_store(out + 26 * stride, t37 * t39);
-    if (first <= 47 && 47 < last) prt__vec_store(out + 34 * stride, t38 * t39);
-    const prt__vec t40 = PRT__R(5.53226317538874894011) * t1 - PRT__R(0.553226317538874894011);
-    if (first <= 48 && 48 < last) prt__vec_store(out + 38 * stride, t37 * t40);
-    if (first <= 49 && 49 < last) prt__vec_store(out + 46 * stride, t38 * t40);
-    const prt__vec t41 = PRT__R(13.3876196648007832099) * t1 - PRT__R(3.34690491620019580249);
-    const prt__vec t42 = z * t41;
-    if (first <= 50 && 50 < last) prt__vec_store(out + 52 * stride, t37 * t42);
-    if (first <= 51 && 51 < last) prt__vec_store(out + 60 * stride, t38 * t42);
-    const prt__vec t43 = y * t38 + x * t37;
-    if (first <= 52 && 52 < last) prt__vec_store(out + 25 * stride, PRT__R(0.656382056840170102814) * t43);
-    const prt__vec t44 = x * t38 - y * t37;
-    if (first <= 53 && 53 < last) prt__vec_store(out + 35 * stride, PRT__R(0.656382056840170102814) * t44);
-    const prt__vec t45 = PRT__R(2.36661916223175203199) * z;
-    if (first <= 54 && 54 < last) prt__vec_store(out + 37 * stride, t43 * t45);
-    if (first <= 55 && 55 < last) prt__vec_store(out + 47 * stride, t44 * t45);
-    const prt__vec t46 = PRT__R(6.73131046101657472554) * t1 - PRT__R(0.560942538418047893795);
-    if (first <= 56 && 56 < last) prt__vec_store(out + 51 * stride, t43 * t46);
-    if (first <= 57 && 57 < last) prt__vec_store(out + 61 * stride, t44 * t46);
-    const prt__vec t47 = t29 * t28;
-    const prt__vec t48 = t47 + t47;
-    if (first <= 58 && 58 < last) prt__vec_store(out + 36 * stride, PRT__R(0.683184105191914321975) * t48);
-    const prt__vec t49 = (t29 + t28) * (t29 - t28);
-    if (first <= 59 && 59 < last) prt__vec_store(out + 48 * stride, PRT__R(0.683184105191914321975) * t49);
-    const prt__vec t50 = PRT__R(2.64596066180190022197) * z;
-    if (first <= 60 && 60 < last) prt__vec_store(out + 50 * stride, t48 * t50);
-    if (first <= 61 && 61 < last) prt__vec_store(out + 62 * stride, t49 * t50);
-    if (first <= 62 && 62 < last)
-        prt__vec_store(out + 49 * stride, PRT__R(0.707162732524596178226) * (y * t49 + x * t48));
-    if (first <= 63 && 63 < last)
-        prt__vec_store(out + 63 * stride, PRT__R(0.707162732524596178226) * (x * t49 - y * t48));
-}
-
-PRT__STATIC void prt__ch_eval_8_v(int vectors, const prt_real *x, const prt_real *y, const prt_real *z,
-    prt_real *PRT__RESTRICT out, size_t stride) {
+PRT__STATIC void prt__ch_eval_8_v(int vectors, const prt_real *xs, const prt_real *ys, const prt_real *zs,
+    prt_real *PRT__RESTRICT rows, size_t stride) {
     int k;
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_8_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 0, 8);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_8_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 8, 16);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_8_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 16, 24);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_8_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 24, 32);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_8_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 32, 40);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_8_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 40, 48);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_8_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 48, 56);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_8_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 56, 64);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+        prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
+        const prt__vec t1 = z * z;
+        const prt__vec t2 = PRT__R(0.825888983611586872968) * t1 - PRT__R(0.412944491805793436484);
+        prt__vec_store(out + 6 * stride, t2);
+        const prt__vec t3 = PRT__R(1.61906625351721666923) * t1 - PRT__R(1.21429969013791250192);
+        const prt__vec t4 = z * t3;
+        prt__vec_store(out + 12 * stride, t4);
+        const prt__vec t5 = t2 * (PRT__R(4.71662269588694702818) * t2) - PRT__R(0.402146687544551258061);
+        prt__vec_store(out + 20 * stride, t5);
+        const prt__vec t6 = PRT__R(1.9941605714785482504) * (z * t5) - PRT__R(0.990626623845594065416) * t4;
+        prt__vec_store(out + 30 * stride, t6);
+        const prt__vec t7 = PRT__R(1.99686765665245415552) * (z * t6) - PRT__R(0.995518686839271862673) * t5;
+        prt__vec_store(out + 42 * stride, t7);
+        prt__vec_store(out + 56 * stride, PRT__R(1.9981247065730924832) * (z * t7) - PRT__R(0.99749765012849593691) * t6);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
+        prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
+        const prt__vec t1 = PRT__R(1.09254843059207907054) * z;
+        prt__vec_store(out + 5 * stride, y * t1);
+        prt__vec_store(out + 7 * stride, x * t1);
+        const prt__vec t2 = z * z;
+        const prt__vec t3 = PRT__R(2.2251937260415151452) * t2 - PRT__R(0.556298431510378786299);
+        prt__vec_store(out + 11 * stride, y * t3);
+        prt__vec_store(out + 13 * stride, x * t3);
+        const prt__vec t4 = PRT__R(4.47811599108138469697) * t2 - PRT__R(2.23905799554069234849);
+        const prt__vec t5 = z * t4;
+        prt__vec_store(out + 19 * stride, y * t5);
+        prt__vec_store(out + 21 * stride, x * t5);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = z * z;
+        const prt__vec t2 = PRT__R(2.2251937260415151452) * t1 - PRT__R(0.556298431510378786299);
+        const prt__vec t3 = PRT__R(1.81395700920230242682) * t2 - PRT__R(1.00910143904649857838);
+        const prt__vec t4 = t2 * t3 - PRT__R(0.561361547776433262911);
+        prt__vec_store(out + 29 * stride, y * t4);
+        prt__vec_store(out + 31 * stride, x * t4);
+        const prt__vec t5 = PRT__R(4.47811599108138469697) * t1 - PRT__R(2.23905799554069234849);
+        const prt__vec t6 = PRT__R(2.00308404192443849618) * (z * t4) - PRT__R(1.00439949330516663946) * (z * t5);
+        prt__vec_store(out + 41 * stride, y * t6);
+        prt__vec_store(out + 43 * stride, x * t6);
+        const prt__vec t7 = PRT__R(2.00185442784391621093) * (z * t6) - PRT__R(1.00247066466748147447) * t4;
+        prt__vec_store(out + 55 * stride, y * t7);
+        prt__vec_store(out + 57 * stride, x * t7);
+        const prt__vec t8 = y * x;
+        prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * (t8 + t8));
+        prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * ((y + x) * (x - y)));
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = y * x;
+        const prt__vec t2 = t1 + t1;
+        const prt__vec t3 = PRT__R(1.44530572132027702769) * z;
+        prt__vec_store(out + 10 * stride, t2 * t3);
+        const prt__vec t4 = (y + x) * (x - y);
+        prt__vec_store(out + 14 * stride, t4 * t3);
+        const prt__vec t5 = z * z;
+        const prt__vec t6 = PRT__R(3.27764529177623721163) * t5 - PRT__R(0.546274215296039535272);
+        prt__vec_store(out + 18 * stride, t2 * t6);
+        prt__vec_store(out + 22 * stride, t4 * t6);
+        const prt__vec t7 = PRT__R(7.04063249082559160399) * t5 - PRT__R(2.6402371840595968515);
+        const prt__vec t8 = z * t7;
+        prt__vec_store(out + 28 * stride, t2 * t8);
+        prt__vec_store(out + 32 * stride, t4 * t8);
+        const prt__vec t9 = PRT__R(1.37233279507355082388) * t6 - PRT__R(1.19947203320611937035);
+        const prt__vec t10 = t6 * t9 - PRT__R(0.511906752897826512122);
+        prt__vec_store(out + 40 * stride, t2 * t10);
+        prt__vec_store(out + 44 * stride, t4 * t10);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = y * x;
+        const prt__vec t2 = z * z;
+        const prt__vec t3 = PRT__R(3.27764529177623721163) * t2 - PRT__R(0.546274215296039535272);
+        const prt__vec t4 = PRT__R(1.37233279507355082388) * t3 - PRT__R(1.19947203320611937035);
+        const prt__vec t5 = PRT__R(2.06485074947180018626) * (z * (t3 * t4 - PRT__R(0.511906752897826512122)));
+        const prt__vec t6 = PRT__R(7.04063249082559160399) * t2 - PRT__R(2.6402371840595968515);
+        const prt__vec t7 = t5 - PRT__R(1.00887444616012613957) * (z * t6);
+        prt__vec_store(out + 54 * stride, (t1 + t1) * t7);
+        const prt__vec t8 = (y + x) * (x - y);
+        prt__vec_store(out + 58 * stride, t8 * t7);
+        const prt__vec t9 = y * y;
+        const prt__vec t10 = t8 + t9;
+        const prt__vec t11 = y * (t8 + (t10 + t10));
+        prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * t11);
+        const prt__vec t12 = x * (t8 - (t9 + t9));
+        prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * t12);
+        const prt__vec t13 = PRT__R(1.77013076977993053104) * z;
+        prt__vec_store(out + 17 * stride, t11 * t13);
+        prt__vec_store(out + 23 * stride, t12 * t13);
+        const prt__vec t14 = PRT__R(4.37968383934737954461) * t2 - PRT__R(0.547460479918422443076);
+        prt__vec_store(out + 27 * stride, t11 * t14);
+        prt__vec_store(out + 33 * stride, t12 * t14);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = (y + x) * (x - y);
+        const prt__vec t2 = y * y;
+        const prt__vec t3 = t1 + t2;
+        const prt__vec t4 = y * (t1 + (t3 + t3));
+        const prt__vec t5 = z * z;
+        const prt__vec t6 = PRT__R(10.0119715893477442193) * t5 - PRT__R(3.0035914768043232658);
+        const prt__vec t7 = z * t6;
+        prt__vec_store(out + 39 * stride, t4 * t7);
+        const prt__vec t8 = x * (t1 - (t2 + t2));
+        prt__vec_store(out + 45 * stride, t8 * t7);
+        const prt__vec t9 = PRT__R(4.37968383934737954461) * t5 - PRT__R(0.547460479918422443076);
+        const prt__vec t10 = PRT__R(1.14470177335741903992) * t9 - PRT__R(1.25335796441144373015);
+        const prt__vec t11 = t9 * t10 - PRT__R(0.48031476689438621492);
+        prt__vec_store(out + 53 * stride, t4 * t11);
+        prt__vec_store(out + 59 * stride, t8 * t11);
+        const prt__vec t12 = y * x;
+        const prt__vec t13 = t12 + t12;
+        const prt__vec t14 = t1 * t13;
+        const prt__vec t15 = t14 + t14;
+        prt__vec_store(out + 16 * stride, PRT__R(0.625835735449176134587) * t15);
+        const prt__vec t16 = (t1 + t13) * (t1 - t13);
+        prt__vec_store(out + 24 * stride, PRT__R(0.625835735449176134587) * t16);
+        const prt__vec t17 = PRT__R(2.075662314881041279) * z;
+        prt__vec_store(out + 26 * stride, t15 * t17);
+        prt__vec_store(out + 34 * stride, t16 * t17);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = (y + x) * (x - y);
+        const prt__vec t2 = y * x;
+        const prt__vec t3 = t2 + t2;
+        const prt__vec t4 = t1 * t3;
+        const prt__vec t5 = t4 + t4;
+        const prt__vec t6 = z * z;
+        const prt__vec t7 = PRT__R(5.53226317538874894011) * t6 - PRT__R(0.553226317538874894011);
+        prt__vec_store(out + 38 * stride, t5 * t7);
+        const prt__vec t8 = (t1 + t3) * (t1 - t3);
+        prt__vec_store(out + 46 * stride, t8 * t7);
+        const prt__vec t9 = PRT__R(13.3876196648007832099) * t6 - PRT__R(3.34690491620019580249);
+        const prt__vec t10 = z * t9;
+        prt__vec_store(out + 52 * stride, t5 * t10);
+        prt__vec_store(out + 60 * stride, t8 * t10);
+        const prt__vec t11 = y * t8 + x * t5;
+        prt__vec_store(out + 25 * stride, PRT__R(0.656382056840170102814) * t11);
+        const prt__vec t12 = x * t8 - y * t5;
+        prt__vec_store(out + 35 * stride, PRT__R(0.656382056840170102814) * t12);
+        const prt__vec t13 = PRT__R(2.36661916223175203199) * z;
+        prt__vec_store(out + 37 * stride, t11 * t13);
+        prt__vec_store(out + 47 * stride, t12 * t13);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = (y + x) * (x - y);
+        const prt__vec t2 = y * x;
+        const prt__vec t3 = t2 + t2;
+        const prt__vec t4 = (t1 + t3) * (t1 - t3);
+        const prt__vec t5 = t1 * t3;
+        const prt__vec t6 = t5 + t5;
+        const prt__vec t7 = PRT__R(6.73131046101657472554) * (z * z) - PRT__R(0.560942538418047893795);
+        prt__vec_store(out + 51 * stride, (y * t4 + x * t6) * t7);
+        prt__vec_store(out + 61 * stride, (x * t4 - y * t6) * t7);
+        const prt__vec t8 = y * y;
+        const prt__vec t9 = x * (t1 - (t8 + t8));
+        const prt__vec t10 = t1 + t8;
+        const prt__vec t11 = y * (t1 + (t10 + t10));
+        const prt__vec t12 = t9 * t11;
+        const prt__vec t13 = t12 + t12;
+        prt__vec_store(out + 36 * stride, PRT__R(0.683184105191914321975) * t13);
+        const prt__vec t14 = (t9 + t11) * (t9 - t11);
+        prt__vec_store(out + 48 * stride, PRT__R(0.683184105191914321975) * t14);
+        const prt__vec t15 = PRT__R(2.64596066180190022197) * z;
+        prt__vec_store(out + 50 * stride, t13 * t15);
+        prt__vec_store(out + 62 * stride, t14 * t15);
+        prt__vec_store(out + 49 * stride, PRT__R(0.707162732524596178226) * (y * t14 + x * t13));
+        prt__vec_store(out + 63 * stride, PRT__R(0.707162732524596178226) * (x * t14 - y * t13));
+    }
 }
 
 /* CH basis, 9 bands: 159 multiplications, 53 additions (36 can fuse), 81 stores */
@@ -10736,181 +11265,286 @@ PRT__STATIC void prt__ch_eval_9(prt_real x, prt_real y, prt_real z, prt_real *PR
 }
 
 /* CH basis, 9 bands: 159 multiplications, 53 additions (36 can fuse), 81 stores */
-PRT__INLINE void prt__ch_eval_9_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, 
-    size_t stride, int first, int last) {
-    if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
-    if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
-    const prt__vec t1 = z * z;
-    const prt__vec t2 = PRT__R(0.825888983611586872968) * t1 - PRT__R(0.412944491805793436484);
-    if (first <= 2 && 2 < last) prt__vec_store(out + 6 * stride, t2);
-    const prt__vec t3 = PRT__R(1.61906625351721666923) * t1 - PRT__R(1.21429969013791250192);
-    const prt__vec t4 = z * t3;
-    if (first <= 3 && 3 < last) prt__vec_store(out + 12 * stride, t4);
-    const prt__vec t5 = t2 * (PRT__R(4.71662269588694702818) * t2) - PRT__R(0.402146687544551258061);
-    if (first <= 4 && 4 < last) prt__vec_store(out + 20 * stride, t5);
-    const prt__vec t6 = PRT__R(1.9941605714785482504) * (z * t5) - PRT__R(0.990626623845594065416) * t4;
-    if (first <= 5 && 5 < last) prt__vec_store(out + 30 * stride, t6);
-    const prt__vec t7 = PRT__R(1.99686765665245415552) * (z * t6) - PRT__R(0.995518686839271862673) * t5;
-    if (first <= 6 && 6 < last) prt__vec_store(out + 42 * stride, t7);
-    const prt__vec t8 = PRT__R(1.9981247065730924832) * (z * t7) - PRT__R(0.99749765012849593691) * t6;
-    if (first <= 7 && 7 < last) prt__vec_store(out + 56 * stride, t8);
-    if (first <= 8 && 8 < last)
-        prt__vec_store(out + 72 * stride, PRT__R(1.99878824587482633945) * (z * t8) - PRT__R(0.998457044322595902884) * t7);
-    if (first <= 9 && 9 < last) prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
-    if (first <= 10 && 10 < last) prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
-    const prt__vec t9 = PRT__R(1.09254843059207907054) * z;
-    if (first <= 11 && 11 < last) prt__vec_store(out + 5 * stride, y * t9);
-    if (first <= 12 && 12 < last) prt__vec_store(out + 7 * stride, x * t9);
-    const prt__vec t10 = PRT__R(2.2251937260415151452) * t1 - PRT__R(0.556298431510378786299);
-    if (first <= 13 && 13 < last) prt__vec_store(out + 11 * stride, y * t10);
-    if (first <= 14 && 14 < last) prt__vec_store(out + 13 * stride, x * t10);
-    const prt__vec t11 = PRT__R(4.47811599108138469697) * t1 - PRT__R(2.23905799554069234849);
-    const prt__vec t12 = z * t11;
-    if (first <= 15 && 15 < last) prt__vec_store(out + 19 * stride, y * t12);
-    if (first <= 16 && 16 < last) prt__vec_store(out + 21 * stride, x * t12);
-    const prt__vec t13 = PRT__R(1.81395700920230242682) * t10 - PRT__R(1.00910143904649857838);
-    const prt__vec t14 = t10 * t13 - PRT__R(0.561361547776433262911);
-    if (first <= 17 && 17 < last) prt__vec_store(out + 29 * stride, y * t14);
-    if (first <= 18 && 18 < last) prt__vec_store(out + 31 * stride, x * t14);
-    const prt__vec t15 = PRT__R(2.00308404192443849618) * (z * t14) - PRT__R(1.00439949330516663946) * t12;
-    if (first <= 19 && 19 < last) prt__vec_store(out + 41 * stride, y * t15);
-    if (first <= 20 && 20 < last) prt__vec_store(out + 43 * stride, x * t15);
-    const prt__vec t16 = PRT__R(2.00185442784391621093) * (z * t15) - PRT__R(1.00247066466748147447) * t14;
-    if (first <= 21 && 21 < last) prt__vec_store(out + 55 * stride, y * t16);
-    if (first <= 22 && 22 < last) prt__vec_store(out + 57 * stride, x * t16);
-    const prt__vec t17 = PRT__R(2.00120156213902958958) * (z * t16) - PRT__R(1.00152855204404460325) * t15;
-    if (first <= 23 && 23 < last) prt__vec_store(out + 71 * stride, y * t17);
-    if (first <= 24 && 24 < last) prt__vec_store(out + 73 * stride, x * t17);
-    const prt__vec t18 = y * x;
-    const prt__vec t19 = t18 + t18;
-    if (first <= 25 && 25 < last) prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t19);
-    const prt__vec t20 = (y + x) * (x - y);
-    if (first <= 26 && 26 < last) prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t20);
-    const prt__vec t21 = PRT__R(1.44530572132027702769) * z;
-    if (first <= 27 && 27 < last) prt__vec_store(out + 10 * stride, t19 * t21);
-    if (first <= 28 && 28 < last) prt__vec_store(out + 14 * stride, t20 * t21);
-    const prt__vec t22 = PRT__R(3.27764529177623721163) * t1 - PRT__R(0.546274215296039535272);
-    if (first <= 29 && 29 < last) prt__vec_store(out + 18 * stride, t19 * t22);
-    if (first <= 30 && 30 < last) prt__vec_store(out + 22 * stride, t20 * t22);
-    const prt__vec t23 = PRT__R(7.04063249082559160399) * t1 - PRT__R(2.6402371840595968515);
-    const prt__vec t24 = z * t23;
-    if (first <= 31 && 31 < last) prt__vec_store(out + 28 * stride, t19 * t24);
-    if (first <= 32 && 32 < last) prt__vec_store(out + 32 * stride, t20 * t24);
-    const prt__vec t25 = PRT__R(1.37233279507355082388) * t22 - PRT__R(1.19947203320611937035);
-    const prt__vec t26 = t22 * t25 - PRT__R(0.511906752897826512122);
-    if (first <= 33 && 33 < last) prt__vec_store(out + 40 * stride, t19 * t26);
-    if (first <= 34 && 34 < last) prt__vec_store(out + 44 * stride, t20 * t26);
-    const prt__vec t27 = PRT__R(2.06485074947180018626) * (z * t26) - PRT__R(1.00887444616012613957) * t24;
-    if (first <= 35 && 35 < last) prt__vec_store(out + 54 * stride, t19 * t27);
-    if (first <= 36 && 36 < last) prt__vec_store(out + 58 * stride, t20 * t27);
-    const prt__vec t28 = PRT__R(2.047379529757827986) * (z * t27) - PRT__R(1.0065555134461126069) * t26;
-    if (first <= 37 && 37 < last) prt__vec_store(out + 70 * stride, t19 * t28);
-    if (first <= 38 && 38 < last) prt__vec_store(out + 74 * stride, t20 * t28);
-    const prt__vec t29 = y * y;
-    const prt__vec t30 = t20 + t29;
-    const prt__vec t31 = y * (t20 + (t30 + t30));
-    if (first <= 39 && 39 < last) prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * t31);
-    const prt__vec t32 = x * (t20 - (t29 + t29));
-    if (first <= 40 && 40 < last) prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * t32);
-    const prt__vec t33 = PRT__R(1.77013076977993053104) * z;
-    if (first <= 41 && 41 < last) prt__vec_store(out + 17 * stride, t31 * t33);
-    if (first <= 42 && 42 < last) prt__vec_store(out + 23 * stride, t32 * t33);
-    const prt__vec t34 = PRT__R(4.37968383934737954461) * t1 - PRT__R(0.547460479918422443076);
-    if (first <= 43 && 43 < last) prt__vec_store(out + 27 * stride, t31 * t34);
-    if (first <= 44 && 44 < last) prt__vec_store(out + 33 * stride, t32 * t34);
-    const prt__vec t35 = PRT__R(10.0119715893477442193) * t1 - PRT__R(3.0035914768043232658);
-    const prt__vec t36 = z * t35;
-    if (first <= 45 && 45 < last) prt__vec_store(out + 39 * stride, t31 * t36);
-    if (first <= 46 && 46 < last) prt__vec_store(out + 45 * stride, t32 * t36);
-    const prt__vec t37 = PRT__R(1.14470177335741903992) * t34 - PRT__R(1.25335796441144373015);
-    const prt__vec t38 = t34 * t37 - PRT__R(0.48031476689438621492);
-    if (first <= 47 && 47 < last) prt__vec_store(out + 53 * stride, t31 * t38);
-    if (first <= 48 && 48 < last) prt__vec_store(out + 59 * stride, t32 * t38);
-    const prt__vec t39 = PRT__R(2.13960769627671528242) * (z * t38) - PRT__R(1.00550825192169375133) * t36;
-    if (first <= 49 && 49 < last) prt__vec_store(out + 69 * stride, t31 * t39);
-    if (first <= 50 && 50 < last) prt__vec_store(out + 75 * stride, t32 * t39);
-    const prt__vec t40 = t20 * t19;
-    const prt__vec t41 = t40 + t40;
-    if (first <= 51 && 51 < last) prt__vec_store(out + 16 * stride, PRT__R(0.625835735449176134587) * t41);
-    const prt__vec t42 = (t20 + t19) * (t20 - t19);
-    if (first <= 52 && 52 < last) prt__vec_store(out + 24 * stride, PRT__R(0.625835735449176134587) * t42);
-    const prt__vec t43 = PRT__R(2.075662314881041279) * z;
-    if (first <= 53 && 53 < last) prt__vec_store(out + 26 * stride, t41 * t43);
-    if (first <= 54 && 54 < last) prt__vec_store(out + 34 * stride, t42 * t43);
-    const prt__vec t44 = PRT__R(5.53226317538874894011) * t1 - PRT__R(0.553226317538874894011);
-    if (first <= 55 && 55 < last) prt__vec_store(out + 38 * stride, t41 * t44);
-    if (first <= 56 && 56 < last) prt__vec_store(out + 46 * stride, t42 * t44);
-    const prt__vec t45 = PRT__R(13.3876196648007832099) * t1 - PRT__R(3.34690491620019580249);
-    const prt__vec t46 = z * t45;
-    if (first <= 57 && 57 < last) prt__vec_store(out + 52 * stride, t41 * t46);
-    if (first <= 58 && 58 < last) prt__vec_store(out + 60 * stride, t42 * t46);
-    const prt__vec t47 = PRT__R(1.00325462178684816145) * t44 - PRT__R(1.26863282277713073229);
-    const prt__vec t48 = t44 * t47 - PRT__R(0.460583198810398206878);
-    if (first <= 59 && 59 < last) prt__vec_store(out + 68 * stride, t41 * t48);
-    if (first <= 60 && 60 < last) prt__vec_store(out + 76 * stride, t42 * t48);
-    const prt__vec t49 = y * t42 + x * t41;
-    if (first <= 61 && 61 < last) prt__vec_store(out + 25 * stride, PRT__R(0.656382056840170102814) * t49);
-    const prt__vec t50 = x * t42 - y * t41;
-    if (first <= 62 && 62 < last) prt__vec_store(out + 35 * stride, PRT__R(0.656382056840170102814) * t50);
-    const prt__vec t51 = PRT__R(2.36661916223175203199) * z;
-    if (first <= 63 && 63 < last) prt__vec_store(out + 37 * stride, t49 * t51);
-    if (first <= 64 && 64 < last) prt__vec_store(out + 47 * stride, t50 * t51);
-    const prt__vec t52 = PRT__R(6.73131046101657472554) * t1 - PRT__R(0.560942538418047893795);
-    if (first <= 65 && 65 < last) prt__vec_store(out + 51 * stride, t49 * t52);
-    if (first <= 66 && 66 < last) prt__vec_store(out + 61 * stride, t50 * t52);
-    const prt__vec t53 = PRT__R(17.1567982383278290323) * t1 - PRT__R(3.67645676535596336405);
-    const prt__vec t54 = z * t53;
-    if (first <= 67 && 67 < last) prt__vec_store(out + 67 * stride, t49 * t54);
-    if (first <= 68 && 68 < last) prt__vec_store(out + 77 * stride, t50 * t54);
-    const prt__vec t55 = t32 * t31;
-    const prt__vec t56 = t55 + t55;
-    if (first <= 69 && 69 < last) prt__vec_store(out + 36 * stride, PRT__R(0.683184105191914321975) * t56);
-    const prt__vec t57 = (t32 + t31) * (t32 - t31);
-    if (first <= 70 && 70 < last) prt__vec_store(out + 48 * stride, PRT__R(0.683184105191914321975) * t57);
-    const prt__vec t58 = PRT__R(2.64596066180190022197) * z;
-    if (first <= 71 && 71 < last) prt__vec_store(out + 50 * stride, t56 * t58);
-    if (first <= 72 && 72 < last) prt__vec_store(out + 62 * stride, t57 * t58);
-    const prt__vec t59 = PRT__R(7.97265272468488541901) * t1 - PRT__R(0.569475194620348958501);
-    if (first <= 73 && 73 < last) prt__vec_store(out + 66 * stride, t56 * t59);
-    if (first <= 74 && 74 < last) prt__vec_store(out + 78 * stride, t57 * t59);
-    const prt__vec t60 = y * t57 + x * t56;
-    if (first <= 75 && 75 < last) prt__vec_store(out + 49 * stride, PRT__R(0.707162732524596178226) * t60);
-    const prt__vec t61 = x * t57 - y * t56;
-    if (first <= 76 && 76 < last) prt__vec_store(out + 63 * stride, PRT__R(0.707162732524596178226) * t61);
-    const prt__vec t62 = PRT__R(2.91570664069931947548) * z;
-    if (first <= 77 && 77 < last) prt__vec_store(out + 65 * stride, t60 * t62);
-    if (first <= 78 && 78 < last) prt__vec_store(out + 79 * stride, t61 * t62);
-    const prt__vec t63 = t42 * t41;
-    if (first <= 79 && 79 < last) prt__vec_store(out + 64 * stride, PRT__R(0.72892666017482986887) * (t63 + t63));
-    if (first <= 80 && 80 < last)
-        prt__vec_store(out + 80 * stride, PRT__R(0.72892666017482986887) * ((t42 + t41) * (t42 - t41)));
-}
-
-PRT__STATIC void prt__ch_eval_9_v(int vectors, const prt_real *x, const prt_real *y, const prt_real *z,
-    prt_real *PRT__RESTRICT out, size_t stride) {
+PRT__STATIC void prt__ch_eval_9_v(int vectors, const prt_real *xs, const prt_real *ys, const prt_real *zs,
+    prt_real *PRT__RESTRICT rows, size_t stride) {
     int k;
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_9_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 0, 8);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_9_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 8, 16);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_9_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 16, 24);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_9_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 24, 32);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_9_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 32, 40);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_9_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 40, 48);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_9_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 48, 56);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_9_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 56, 64);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_9_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 64, 72);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_9_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 72, 80);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_9_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 80, 81);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+        prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
+        const prt__vec t1 = z * z;
+        const prt__vec t2 = PRT__R(0.825888983611586872968) * t1 - PRT__R(0.412944491805793436484);
+        prt__vec_store(out + 6 * stride, t2);
+        const prt__vec t3 = PRT__R(1.61906625351721666923) * t1 - PRT__R(1.21429969013791250192);
+        const prt__vec t4 = z * t3;
+        prt__vec_store(out + 12 * stride, t4);
+        const prt__vec t5 = t2 * (PRT__R(4.71662269588694702818) * t2) - PRT__R(0.402146687544551258061);
+        prt__vec_store(out + 20 * stride, t5);
+        const prt__vec t6 = PRT__R(1.9941605714785482504) * (z * t5) - PRT__R(0.990626623845594065416) * t4;
+        prt__vec_store(out + 30 * stride, t6);
+        const prt__vec t7 = PRT__R(1.99686765665245415552) * (z * t6) - PRT__R(0.995518686839271862673) * t5;
+        prt__vec_store(out + 42 * stride, t7);
+        prt__vec_store(out + 56 * stride, PRT__R(1.9981247065730924832) * (z * t7) - PRT__R(0.99749765012849593691) * t6);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = z * z;
+        const prt__vec t2 = PRT__R(0.825888983611586872968) * t1 - PRT__R(0.412944491805793436484);
+        const prt__vec t3 = t2 * (PRT__R(4.71662269588694702818) * t2) - PRT__R(0.402146687544551258061);
+        const prt__vec t4 = PRT__R(1.61906625351721666923) * t1 - PRT__R(1.21429969013791250192);
+        const prt__vec t5 = PRT__R(1.9941605714785482504) * (z * t3) - PRT__R(0.990626623845594065416) * (z * t4);
+        const prt__vec t6 = PRT__R(1.99686765665245415552) * (z * t5) - PRT__R(0.995518686839271862673) * t3;
+        const prt__vec t7 = PRT__R(1.9981247065730924832) * (z * t6) - PRT__R(0.99749765012849593691) * t5;
+        prt__vec_store(out + 72 * stride, PRT__R(1.99878824587482633945) * (z * t7) - PRT__R(0.998457044322595902884) * t6);
+        prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
+        prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
+        const prt__vec t8 = PRT__R(1.09254843059207907054) * z;
+        prt__vec_store(out + 5 * stride, y * t8);
+        prt__vec_store(out + 7 * stride, x * t8);
+        const prt__vec t9 = PRT__R(2.2251937260415151452) * t1 - PRT__R(0.556298431510378786299);
+        prt__vec_store(out + 11 * stride, y * t9);
+        prt__vec_store(out + 13 * stride, x * t9);
+        const prt__vec t10 = PRT__R(4.47811599108138469697) * t1 - PRT__R(2.23905799554069234849);
+        prt__vec_store(out + 19 * stride, y * (z * t10));
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = z * z;
+        const prt__vec t2 = PRT__R(4.47811599108138469697) * t1 - PRT__R(2.23905799554069234849);
+        const prt__vec t3 = z * t2;
+        prt__vec_store(out + 21 * stride, x * t3);
+        const prt__vec t4 = PRT__R(2.2251937260415151452) * t1 - PRT__R(0.556298431510378786299);
+        const prt__vec t5 = PRT__R(1.81395700920230242682) * t4 - PRT__R(1.00910143904649857838);
+        const prt__vec t6 = t4 * t5 - PRT__R(0.561361547776433262911);
+        prt__vec_store(out + 29 * stride, y * t6);
+        prt__vec_store(out + 31 * stride, x * t6);
+        const prt__vec t7 = PRT__R(2.00308404192443849618) * (z * t6) - PRT__R(1.00439949330516663946) * t3;
+        prt__vec_store(out + 41 * stride, y * t7);
+        prt__vec_store(out + 43 * stride, x * t7);
+        const prt__vec t8 = PRT__R(2.00185442784391621093) * (z * t7) - PRT__R(1.00247066466748147447) * t6;
+        prt__vec_store(out + 55 * stride, y * t8);
+        prt__vec_store(out + 57 * stride, x * t8);
+        const prt__vec t9 = PRT__R(2.00120156213902958958) * (z * t8) - PRT__R(1.00152855204404460325) * t7;
+        prt__vec_store(out + 71 * stride, y * t9);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = z * z;
+        const prt__vec t2 = PRT__R(2.2251937260415151452) * t1 - PRT__R(0.556298431510378786299);
+        const prt__vec t3 = PRT__R(1.81395700920230242682) * t2 - PRT__R(1.00910143904649857838);
+        const prt__vec t4 = t2 * t3 - PRT__R(0.561361547776433262911);
+        const prt__vec t5 = PRT__R(4.47811599108138469697) * t1 - PRT__R(2.23905799554069234849);
+        const prt__vec t6 = PRT__R(2.00308404192443849618) * (z * t4) - PRT__R(1.00439949330516663946) * (z * t5);
+        const prt__vec t7 = PRT__R(2.00185442784391621093) * (z * t6) - PRT__R(1.00247066466748147447) * t4;
+        const prt__vec t8 = PRT__R(2.00120156213902958958) * (z * t7) - PRT__R(1.00152855204404460325) * t6;
+        prt__vec_store(out + 73 * stride, x * t8);
+        const prt__vec t9 = y * x;
+        const prt__vec t10 = t9 + t9;
+        prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t10);
+        const prt__vec t11 = (y + x) * (x - y);
+        prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t11);
+        const prt__vec t12 = PRT__R(1.44530572132027702769) * z;
+        prt__vec_store(out + 10 * stride, t10 * t12);
+        prt__vec_store(out + 14 * stride, t11 * t12);
+        const prt__vec t13 = PRT__R(3.27764529177623721163) * t1 - PRT__R(0.546274215296039535272);
+        prt__vec_store(out + 18 * stride, t10 * t13);
+        prt__vec_store(out + 22 * stride, t11 * t13);
+        const prt__vec t14 = PRT__R(7.04063249082559160399) * t1 - PRT__R(2.6402371840595968515);
+        prt__vec_store(out + 28 * stride, t10 * (z * t14));
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = (y + x) * (x - y);
+        const prt__vec t2 = z * z;
+        const prt__vec t3 = PRT__R(7.04063249082559160399) * t2 - PRT__R(2.6402371840595968515);
+        const prt__vec t4 = z * t3;
+        prt__vec_store(out + 32 * stride, t1 * t4);
+        const prt__vec t5 = y * x;
+        const prt__vec t6 = t5 + t5;
+        const prt__vec t7 = PRT__R(3.27764529177623721163) * t2 - PRT__R(0.546274215296039535272);
+        const prt__vec t8 = PRT__R(1.37233279507355082388) * t7 - PRT__R(1.19947203320611937035);
+        const prt__vec t9 = t7 * t8 - PRT__R(0.511906752897826512122);
+        prt__vec_store(out + 40 * stride, t6 * t9);
+        prt__vec_store(out + 44 * stride, t1 * t9);
+        const prt__vec t10 = PRT__R(2.06485074947180018626) * (z * t9) - PRT__R(1.00887444616012613957) * t4;
+        prt__vec_store(out + 54 * stride, t6 * t10);
+        prt__vec_store(out + 58 * stride, t1 * t10);
+        const prt__vec t11 = PRT__R(2.047379529757827986) * (z * t10) - PRT__R(1.0065555134461126069) * t9;
+        prt__vec_store(out + 70 * stride, t6 * t11);
+        prt__vec_store(out + 74 * stride, t1 * t11);
+        const prt__vec t12 = t1 + y * y;
+        prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * (y * (t1 + (t12 + t12))));
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = (y + x) * (x - y);
+        const prt__vec t2 = y * y;
+        const prt__vec t3 = x * (t1 - (t2 + t2));
+        prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * t3);
+        const prt__vec t4 = t1 + t2;
+        const prt__vec t5 = y * (t1 + (t4 + t4));
+        const prt__vec t6 = PRT__R(1.77013076977993053104) * z;
+        prt__vec_store(out + 17 * stride, t5 * t6);
+        prt__vec_store(out + 23 * stride, t3 * t6);
+        const prt__vec t7 = z * z;
+        const prt__vec t8 = PRT__R(4.37968383934737954461) * t7 - PRT__R(0.547460479918422443076);
+        prt__vec_store(out + 27 * stride, t5 * t8);
+        prt__vec_store(out + 33 * stride, t3 * t8);
+        const prt__vec t9 = PRT__R(10.0119715893477442193) * t7 - PRT__R(3.0035914768043232658);
+        const prt__vec t10 = z * t9;
+        prt__vec_store(out + 39 * stride, t5 * t10);
+        prt__vec_store(out + 45 * stride, t3 * t10);
+        const prt__vec t11 = PRT__R(1.14470177335741903992) * t8 - PRT__R(1.25335796441144373015);
+        prt__vec_store(out + 53 * stride, t5 * (t8 * t11 - PRT__R(0.48031476689438621492)));
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = (y + x) * (x - y);
+        const prt__vec t2 = y * y;
+        const prt__vec t3 = x * (t1 - (t2 + t2));
+        const prt__vec t4 = z * z;
+        const prt__vec t5 = PRT__R(4.37968383934737954461) * t4 - PRT__R(0.547460479918422443076);
+        const prt__vec t6 = PRT__R(1.14470177335741903992) * t5 - PRT__R(1.25335796441144373015);
+        const prt__vec t7 = t5 * t6 - PRT__R(0.48031476689438621492);
+        prt__vec_store(out + 59 * stride, t3 * t7);
+        const prt__vec t8 = t1 + t2;
+        const prt__vec t9 = PRT__R(10.0119715893477442193) * t4 - PRT__R(3.0035914768043232658);
+        const prt__vec t10 = PRT__R(2.13960769627671528242) * (z * t7) - PRT__R(1.00550825192169375133) * (z * t9);
+        prt__vec_store(out + 69 * stride, (y * (t1 + (t8 + t8))) * t10);
+        prt__vec_store(out + 75 * stride, t3 * t10);
+        const prt__vec t11 = y * x;
+        const prt__vec t12 = t11 + t11;
+        const prt__vec t13 = t1 * t12;
+        const prt__vec t14 = t13 + t13;
+        prt__vec_store(out + 16 * stride, PRT__R(0.625835735449176134587) * t14);
+        const prt__vec t15 = (t1 + t12) * (t1 - t12);
+        prt__vec_store(out + 24 * stride, PRT__R(0.625835735449176134587) * t15);
+        const prt__vec t16 = PRT__R(2.075662314881041279) * z;
+        prt__vec_store(out + 26 * stride, t14 * t16);
+        prt__vec_store(out + 34 * stride, t15 * t16);
+        const prt__vec t17 = PRT__R(5.53226317538874894011) * t4 - PRT__R(0.553226317538874894011);
+        prt__vec_store(out + 38 * stride, t14 * t17);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = (y + x) * (x - y);
+        const prt__vec t2 = y * x;
+        const prt__vec t3 = t2 + t2;
+        const prt__vec t4 = (t1 + t3) * (t1 - t3);
+        const prt__vec t5 = z * z;
+        const prt__vec t6 = PRT__R(5.53226317538874894011) * t5 - PRT__R(0.553226317538874894011);
+        prt__vec_store(out + 46 * stride, t4 * t6);
+        const prt__vec t7 = t1 * t3;
+        const prt__vec t8 = t7 + t7;
+        const prt__vec t9 = PRT__R(13.3876196648007832099) * t5 - PRT__R(3.34690491620019580249);
+        const prt__vec t10 = z * t9;
+        prt__vec_store(out + 52 * stride, t8 * t10);
+        prt__vec_store(out + 60 * stride, t4 * t10);
+        const prt__vec t11 = PRT__R(1.00325462178684816145) * t6 - PRT__R(1.26863282277713073229);
+        const prt__vec t12 = t6 * t11 - PRT__R(0.460583198810398206878);
+        prt__vec_store(out + 68 * stride, t8 * t12);
+        prt__vec_store(out + 76 * stride, t4 * t12);
+        const prt__vec t13 = y * t4 + x * t8;
+        prt__vec_store(out + 25 * stride, PRT__R(0.656382056840170102814) * t13);
+        prt__vec_store(out + 35 * stride, PRT__R(0.656382056840170102814) * (x * t4 - y * t8));
+        prt__vec_store(out + 37 * stride, t13 * (PRT__R(2.36661916223175203199) * z));
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = (y + x) * (x - y);
+        const prt__vec t2 = y * x;
+        const prt__vec t3 = t2 + t2;
+        const prt__vec t4 = (t1 + t3) * (t1 - t3);
+        const prt__vec t5 = t1 * t3;
+        const prt__vec t6 = t5 + t5;
+        const prt__vec t7 = x * t4 - y * t6;
+        prt__vec_store(out + 47 * stride, t7 * (PRT__R(2.36661916223175203199) * z));
+        const prt__vec t8 = y * t4 + x * t6;
+        const prt__vec t9 = z * z;
+        const prt__vec t10 = PRT__R(6.73131046101657472554) * t9 - PRT__R(0.560942538418047893795);
+        prt__vec_store(out + 51 * stride, t8 * t10);
+        prt__vec_store(out + 61 * stride, t7 * t10);
+        const prt__vec t11 = PRT__R(17.1567982383278290323) * t9 - PRT__R(3.67645676535596336405);
+        const prt__vec t12 = z * t11;
+        prt__vec_store(out + 67 * stride, t8 * t12);
+        prt__vec_store(out + 77 * stride, t7 * t12);
+        const prt__vec t13 = y * y;
+        const prt__vec t14 = x * (t1 - (t13 + t13));
+        const prt__vec t15 = t1 + t13;
+        const prt__vec t16 = y * (t1 + (t15 + t15));
+        const prt__vec t17 = t14 * t16;
+        const prt__vec t18 = t17 + t17;
+        prt__vec_store(out + 36 * stride, PRT__R(0.683184105191914321975) * t18);
+        prt__vec_store(out + 48 * stride, PRT__R(0.683184105191914321975) * ((t14 + t16) * (t14 - t16)));
+        prt__vec_store(out + 50 * stride, t18 * (PRT__R(2.64596066180190022197) * z));
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = (y + x) * (x - y);
+        const prt__vec t2 = y * y;
+        const prt__vec t3 = x * (t1 - (t2 + t2));
+        const prt__vec t4 = t1 + t2;
+        const prt__vec t5 = y * (t1 + (t4 + t4));
+        const prt__vec t6 = (t3 + t5) * (t3 - t5);
+        prt__vec_store(out + 62 * stride, t6 * (PRT__R(2.64596066180190022197) * z));
+        const prt__vec t7 = t3 * t5;
+        const prt__vec t8 = t7 + t7;
+        const prt__vec t9 = PRT__R(7.97265272468488541901) * (z * z) - PRT__R(0.569475194620348958501);
+        prt__vec_store(out + 66 * stride, t8 * t9);
+        prt__vec_store(out + 78 * stride, t6 * t9);
+        const prt__vec t10 = y * t6 + x * t8;
+        prt__vec_store(out + 49 * stride, PRT__R(0.707162732524596178226) * t10);
+        const prt__vec t11 = x * t6 - y * t8;
+        prt__vec_store(out + 63 * stride, PRT__R(0.707162732524596178226) * t11);
+        const prt__vec t12 = PRT__R(2.91570664069931947548) * z;
+        prt__vec_store(out + 65 * stride, t10 * t12);
+        prt__vec_store(out + 79 * stride, t11 * t12);
+        const prt__vec t13 = y * x;
+        const prt__vec t14 = t13 + t13;
+        const prt__vec t15 = t1 * t14;
+        const prt__vec t16 = ((t1 + t14) * (t1 - t14)) * (t15 + t15);
+        prt__vec_store(out + 64 * stride, PRT__R(0.72892666017482986887) * (t16 + t16));
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = (y + x) * (x - y);
+        const prt__vec t2 = y * x;
+        const prt__vec t3 = t2 + t2;
+        const prt__vec t4 = (t1 + t3) * (t1 - t3);
+        const prt__vec t5 = t1 * t3;
+        const prt__vec t6 = t5 + t5;
+        prt__vec_store(out + 80 * stride, PRT__R(0.72892666017482986887) * ((t4 + t6) * (t4 - t6)));
+    }
 }
 
 /* CH basis, 10 bands: 202 multiplications, 64 additions (47 can fuse), 100 stores */
@@ -11094,216 +11728,347 @@ PRT__STATIC void prt__ch_eval_10(prt_real x, prt_real y, prt_real z, prt_real *P
 }
 
 /* CH basis, 10 bands: 202 multiplications, 64 additions (47 can fuse), 100 stores */
-PRT__INLINE void prt__ch_eval_10_part(prt__vec x, prt__vec y, prt__vec z, prt_real *PRT__RESTRICT out, 
-    size_t stride, int first, int last) {
-    if (first <= 0 && 0 < last) prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
-    if (first <= 1 && 1 < last) prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
-    const prt__vec t1 = z * z;
-    const prt__vec t2 = PRT__R(0.825888983611586872968) * t1 - PRT__R(0.412944491805793436484);
-    if (first <= 2 && 2 < last) prt__vec_store(out + 6 * stride, t2);
-    const prt__vec t3 = PRT__R(1.61906625351721666923) * t1 - PRT__R(1.21429969013791250192);
-    const prt__vec t4 = z * t3;
-    if (first <= 3 && 3 < last) prt__vec_store(out + 12 * stride, t4);
-    const prt__vec t5 = t2 * (PRT__R(4.71662269588694702818) * t2) - PRT__R(0.402146687544551258061);
-    if (first <= 4 && 4 < last) prt__vec_store(out + 20 * stride, t5);
-    const prt__vec t6 = PRT__R(1.9941605714785482504) * (z * t5) - PRT__R(0.990626623845594065416) * t4;
-    if (first <= 5 && 5 < last) prt__vec_store(out + 30 * stride, t6);
-    const prt__vec t7 = PRT__R(1.99686765665245415552) * (z * t6) - PRT__R(0.995518686839271862673) * t5;
-    if (first <= 6 && 6 < last) prt__vec_store(out + 42 * stride, t7);
-    const prt__vec t8 = PRT__R(1.9981247065730924832) * (z * t7) - PRT__R(0.99749765012849593691) * t6;
-    if (first <= 7 && 7 < last) prt__vec_store(out + 56 * stride, t8);
-    const prt__vec t9 = PRT__R(1.99878824587482633945) * (z * t8) - PRT__R(0.998457044322595902884) * t7;
-    if (first <= 8 && 8 < last) prt__vec_store(out + 72 * stride, t9);
-    if (first <= 9 && 9 < last)
-        prt__vec_store(out + 90 * stride, PRT__R(1.9991716711179192974) * (z * t9) - PRT__R(0.998980209429107783872) * t8);
-    if (first <= 10 && 10 < last) prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
-    if (first <= 11 && 11 < last) prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
-    const prt__vec t10 = PRT__R(1.09254843059207907054) * z;
-    if (first <= 12 && 12 < last) prt__vec_store(out + 5 * stride, y * t10);
-    if (first <= 13 && 13 < last) prt__vec_store(out + 7 * stride, x * t10);
-    const prt__vec t11 = PRT__R(2.2251937260415151452) * t1 - PRT__R(0.556298431510378786299);
-    if (first <= 14 && 14 < last) prt__vec_store(out + 11 * stride, y * t11);
-    if (first <= 15 && 15 < last) prt__vec_store(out + 13 * stride, x * t11);
-    const prt__vec t12 = PRT__R(4.47811599108138469697) * t1 - PRT__R(2.23905799554069234849);
-    const prt__vec t13 = z * t12;
-    if (first <= 16 && 16 < last) prt__vec_store(out + 19 * stride, y * t13);
-    if (first <= 17 && 17 < last) prt__vec_store(out + 21 * stride, x * t13);
-    const prt__vec t14 = PRT__R(1.81395700920230242682) * t11 - PRT__R(1.00910143904649857838);
-    const prt__vec t15 = t11 * t14 - PRT__R(0.561361547776433262911);
-    if (first <= 18 && 18 < last) prt__vec_store(out + 29 * stride, y * t15);
-    if (first <= 19 && 19 < last) prt__vec_store(out + 31 * stride, x * t15);
-    const prt__vec t16 = PRT__R(2.00308404192443849618) * (z * t15) - PRT__R(1.00439949330516663946) * t13;
-    if (first <= 20 && 20 < last) prt__vec_store(out + 41 * stride, y * t16);
-    if (first <= 21 && 21 < last) prt__vec_store(out + 43 * stride, x * t16);
-    const prt__vec t17 = PRT__R(2.00185442784391621093) * (z * t16) - PRT__R(1.00247066466748147447) * t15;
-    if (first <= 22 && 22 < last) prt__vec_store(out + 55 * stride, y * t17);
-    if (first <= 23 && 23 < last) prt__vec_store(out + 57 * stride, x * t17);
-    const prt__vec t18 = PRT__R(2.00120156213902958958) * (z * t17) - PRT__R(1.00152855204404460325) * t16;
-    if (first <= 24 && 24 < last) prt__vec_store(out + 71 * stride, y * t18);
-    if (first <= 25 && 25 < last) prt__vec_store(out + 73 * stride, x * t18);
-    const prt__vec t19 = PRT__R(2.000822875986267518) * (z * t18) - PRT__R(1.00101246624680610771) * t17;
-    if (first <= 26 && 26 < last) prt__vec_store(out + 89 * stride, y * t19);
-    if (first <= 27 && 27 < last) prt__vec_store(out + 91 * stride, x * t19);
-    const prt__vec t20 = y * x;
-    const prt__vec t21 = t20 + t20;
-    if (first <= 28 && 28 < last) prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t21);
-    const prt__vec t22 = (y + x) * (x - y);
-    if (first <= 29 && 29 < last) prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t22);
-    const prt__vec t23 = PRT__R(1.44530572132027702769) * z;
-    if (first <= 30 && 30 < last) prt__vec_store(out + 10 * stride, t21 * t23);
-    if (first <= 31 && 31 < last) prt__vec_store(out + 14 * stride, t22 * t23);
-    const prt__vec t24 = PRT__R(3.27764529177623721163) * t1 - PRT__R(0.546274215296039535272);
-    if (first <= 32 && 32 < last) prt__vec_store(out + 18 * stride, t21 * t24);
-    if (first <= 33 && 33 < last) prt__vec_store(out + 22 * stride, t22 * t24);
-    const prt__vec t25 = PRT__R(7.04063249082559160399) * t1 - PRT__R(2.6402371840595968515);
-    const prt__vec t26 = z * t25;
-    if (first <= 34 && 34 < last) prt__vec_store(out + 28 * stride, t21 * t26);
-    if (first <= 35 && 35 < last) prt__vec_store(out + 32 * stride, t22 * t26);
-    const prt__vec t27 = PRT__R(1.37233279507355082388) * t24 - PRT__R(1.19947203320611937035);
-    const prt__vec t28 = t24 * t27 - PRT__R(0.511906752897826512122);
-    if (first <= 36 && 36 < last) prt__vec_store(out + 40 * stride, t21 * t28);
-    if (first <= 37 && 37 < last) prt__vec_store(out + 44 * stride, t22 * t28);
-    const prt__vec t29 = PRT__R(2.06485074947180018626) * (z * t28) - PRT__R(1.00887444616012613957) * t26;
-    if (first <= 38 && 38 < last) prt__vec_store(out + 54 * stride, t21 * t29);
-    if (first <= 39 && 39 < last) prt__vec_store(out + 58 * stride, t22 * t29);
-    const prt__vec t30 = PRT__R(2.047379529757827986) * (z * t29) - PRT__R(1.0065555134461126069) * t28;
-    if (first <= 40 && 40 < last) prt__vec_store(out + 70 * stride, t21 * t30);
-    if (first <= 41 && 41 < last) prt__vec_store(out + 74 * stride, t22 * t30);
-    const prt__vec t31 = PRT__R(2.03608622627713160396) * (z * t30) - PRT__R(1.00494030387093691765) * t29;
-    if (first <= 42 && 42 < last) prt__vec_store(out + 88 * stride, t21 * t31);
-    if (first <= 43 && 43 < last) prt__vec_store(out + 92 * stride, t22 * t31);
-    const prt__vec t32 = y * y;
-    const prt__vec t33 = t22 + t32;
-    const prt__vec t34 = y * (t22 + (t33 + t33));
-    if (first <= 44 && 44 < last) prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * t34);
-    const prt__vec t35 = x * (t22 - (t32 + t32));
-    if (first <= 45 && 45 < last) prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * t35);
-    const prt__vec t36 = PRT__R(1.77013076977993053104) * z;
-    if (first <= 46 && 46 < last) prt__vec_store(out + 17 * stride, t34 * t36);
-    if (first <= 47 && 47 < last) prt__vec_store(out + 23 * stride, t35 * t36);
-    const prt__vec t37 = PRT__R(4.37968383934737954461) * t1 - PRT__R(0.547460479918422443076);
-    if (first <= 48 && 48 < last) prt__vec_store(out + 27 * stride, t34 * t37);
-    if (first <= 49 && 49 < last) prt__vec_store(out + 33 * stride, t35 * t37);
-    const prt__vec t38 = PRT__R(10.0119715893477442193) * t1 - PRT__R(3.0035914768043232658);
-    const prt__vec t39 = z * t38;
-    if (first <= 50 && 50 < last) prt__vec_store(out + 39 * stride, t34 * t39);
-    if (first <= 51 && 51 < last) prt__vec_store(out + 45 * stride, t35 * t39);
-    const prt__vec t40 = PRT__R(1.14470177335741903992) * t37 - PRT__R(1.25335796441144373015);
-    const prt__vec t41 = t37 * t40 - PRT__R(0.48031476689438621492);
-    if (first <= 52 && 52 < last) prt__vec_store(out + 53 * stride, t34 * t41);
-    if (first <= 53 && 53 < last) prt__vec_store(out + 59 * stride, t35 * t41);
-    const prt__vec t42 = PRT__R(2.13960769627671528242) * (z * t41) - PRT__R(1.00550825192169375133) * t39;
-    if (first <= 54 && 54 < last) prt__vec_store(out + 69 * stride, t34 * t42);
-    if (first <= 55 && 55 < last) prt__vec_store(out + 75 * stride, t35 * t42);
-    const prt__vec t43 = PRT__R(2.10577559828109434639) * (z * t42) - PRT__R(1.00569948140936029559) * t41;
-    if (first <= 56 && 56 < last) prt__vec_store(out + 87 * stride, t34 * t43);
-    if (first <= 57 && 57 < last) prt__vec_store(out + 93 * stride, t35 * t43);
-    const prt__vec t44 = t22 * t21;
-    const prt__vec t45 = t44 + t44;
-    if (first <= 58 && 58 < last) prt__vec_store(out + 16 * stride, PRT__R(0.625835735449176134587) * t45);
-    const prt__vec t46 = (t22 + t21) * (t22 - t21);
-    if (first <= 59 && 59 < last) prt__vec_store(out + 24 * stride, PRT__R(0.625835735449176134587) * t46);
-    const prt__vec t47 = PRT__R(2.075662314881041279) * z;
-    if (first <= 60 && 60 < last) prt__vec_store(out + 26 * stride, t45 * t47);
-    if (first <= 61 && 61 < last) prt__vec_store(out + 34 * stride, t46 * t47);
-    const prt__vec t48 = PRT__R(5.53226317538874894011) * t1 - PRT__R(0.553226317538874894011);
-    if (first <= 62 && 62 < last) prt__vec_store(out + 38 * stride, t45 * t48);
-    if (first <= 63 && 63 < last) prt__vec_store(out + 46 * stride, t46 * t48);
-    const prt__vec t49 = PRT__R(13.3876196648007832099) * t1 - PRT__R(3.34690491620019580249);
-    const prt__vec t50 = z * t49;
-    if (first <= 64 && 64 < last) prt__vec_store(out + 52 * stride, t45 * t50);
-    if (first <= 65 && 65 < last) prt__vec_store(out + 60 * stride, t46 * t50);
-    const prt__vec t51 = PRT__R(1.00325462178684816145) * t48 - PRT__R(1.26863282277713073229);
-    const prt__vec t52 = t48 * t51 - PRT__R(0.460583198810398206878);
-    if (first <= 66 && 66 < last) prt__vec_store(out + 68 * stride, t45 * t52);
-    if (first <= 67 && 67 < last) prt__vec_store(out + 76 * stride, t46 * t52);
-    const prt__vec t53 = PRT__R(2.21822946338610302856) * (z * t52) - PRT__R(0.999366056347041316611) * t50;
-    if (first <= 68 && 68 < last) prt__vec_store(out + 86 * stride, t45 * t53);
-    if (first <= 69 && 69 < last) prt__vec_store(out + 94 * stride, t46 * t53);
-    const prt__vec t54 = y * t46 + x * t45;
-    if (first <= 70 && 70 < last) prt__vec_store(out + 25 * stride, PRT__R(0.656382056840170102814) * t54);
-    const prt__vec t55 = x * t46 - y * t45;
-    if (first <= 71 && 71 < last) prt__vec_store(out + 35 * stride, PRT__R(0.656382056840170102814) * t55);
-    const prt__vec t56 = PRT__R(2.36661916223175203199) * z;
-    if (first <= 72 && 72 < last) prt__vec_store(out + 37 * stride, t54 * t56);
-    if (first <= 73 && 73 < last) prt__vec_store(out + 47 * stride, t55 * t56);
-    const prt__vec t57 = PRT__R(6.73131046101657472554) * t1 - PRT__R(0.560942538418047893795);
-    if (first <= 74 && 74 < last) prt__vec_store(out + 51 * stride, t54 * t57);
-    if (first <= 75 && 75 < last) prt__vec_store(out + 61 * stride, t55 * t57);
-    const prt__vec t58 = PRT__R(17.1567982383278290323) * t1 - PRT__R(3.67645676535596336405);
-    const prt__vec t59 = z * t58;
-    if (first <= 76 && 76 < last) prt__vec_store(out + 67 * stride, t54 * t59);
-    if (first <= 77 && 77 < last) prt__vec_store(out + 77 * stride, t55 * t59);
-    const prt__vec t60 = PRT__R(0.906010318363799802197) * t57 - PRT__R(1.27054931953983393429);
-    const prt__vec t61 = t57 * t60 - PRT__R(0.447986100878170112466);
-    if (first <= 78 && 78 < last) prt__vec_store(out + 85 * stride, t54 * t61);
-    if (first <= 79 && 79 < last) prt__vec_store(out + 95 * stride, t55 * t61);
-    const prt__vec t62 = t35 * t34;
-    const prt__vec t63 = t62 + t62;
-    if (first <= 80 && 80 < last) prt__vec_store(out + 36 * stride, PRT__R(0.683184105191914321975) * t63);
-    const prt__vec t64 = (t35 + t34) * (t35 - t34);
-    if (first <= 81 && 81 < last) prt__vec_store(out + 48 * stride, PRT__R(0.683184105191914321975) * t64);
-    const prt__vec t65 = PRT__R(2.64596066180190022197) * z;
-    if (first <= 82 && 82 < last) prt__vec_store(out + 50 * stride, t63 * t65);
-    if (first <= 83 && 83 < last) prt__vec_store(out + 62 * stride, t64 * t65);
-    const prt__vec t66 = PRT__R(7.97265272468488541901) * t1 - PRT__R(0.569475194620348958501);
-    if (first <= 84 && 84 < last) prt__vec_store(out + 66 * stride, t63 * t66);
-    if (first <= 85 && 85 < last) prt__vec_store(out + 78 * stride, t64 * t66);
-    const prt__vec t67 = PRT__R(21.3083359134333530585) * t1 - PRT__R(3.99531298376875369847);
-    const prt__vec t68 = z * t67;
-    if (first <= 86 && 86 < last) prt__vec_store(out + 84 * stride, t63 * t68);
-    if (first <= 87 && 87 < last) prt__vec_store(out + 96 * stride, t64 * t68);
-    const prt__vec t69 = y * t64 + x * t63;
-    if (first <= 88 && 88 < last) prt__vec_store(out + 49 * stride, PRT__R(0.707162732524596178226) * t69);
-    const prt__vec t70 = x * t64 - y * t63;
-    if (first <= 89 && 89 < last) prt__vec_store(out + 63 * stride, PRT__R(0.707162732524596178226) * t70);
-    const prt__vec t71 = PRT__R(2.91570664069931947548) * z;
-    if (first <= 90 && 90 < last) prt__vec_store(out + 65 * stride, t69 * t71);
-    if (first <= 91 && 91 < last) prt__vec_store(out + 79 * stride, t70 * t71);
-    const prt__vec t72 = PRT__R(9.25266937297977981733) * t1 - PRT__R(0.578291835811236238583);
-    if (first <= 92 && 92 < last) prt__vec_store(out + 83 * stride, t69 * t72);
-    if (first <= 93 && 93 < last) prt__vec_store(out + 97 * stride, t70 * t72);
-    const prt__vec t73 = t46 * t45;
-    const prt__vec t74 = t73 + t73;
-    if (first <= 94 && 94 < last) prt__vec_store(out + 64 * stride, PRT__R(0.72892666017482986887) * t74);
-    const prt__vec t75 = (t46 + t45) * (t46 - t45);
-    if (first <= 95 && 95 < last) prt__vec_store(out + 80 * stride, PRT__R(0.72892666017482986887) * t75);
-    const prt__vec t76 = PRT__R(3.1773176489546974773) * z;
-    if (first <= 96 && 96 < last) prt__vec_store(out + 82 * stride, t74 * t76);
-    if (first <= 97 && 97 < last) prt__vec_store(out + 98 * stride, t75 * t76);
-    if (first <= 98 && 98 < last) prt__vec_store(out + 81 * stride, PRT__R(0.74890095185318829655) * (y * t75 + x * t74));
-    if (first <= 99 && 99 < last) prt__vec_store(out + 99 * stride, PRT__R(0.74890095185318829655) * (x * t75 - y * t74));
-}
-
-PRT__STATIC void prt__ch_eval_10_v(int vectors, const prt_real *x, const prt_real *y, const prt_real *z,
-    prt_real *PRT__RESTRICT out, size_t stride) {
+PRT__STATIC void prt__ch_eval_10_v(int vectors, const prt_real *xs, const prt_real *ys, const prt_real *zs,
+    prt_real *PRT__RESTRICT rows, size_t stride) {
     int k;
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 0, 8);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 8, 16);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 16, 24);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 24, 32);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 32, 40);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 40, 48);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 48, 56);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 56, 64);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 64, 72);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 72, 80);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 80, 88);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 88, 96);
-    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)
-        prt__ch_eval_10_part(prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), out + k, stride, 96, 100);
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        prt__vec_store(out, prt__vec_set(PRT__R(0.282094791773878143474)));
+        prt__vec_store(out + 2 * stride, PRT__R(0.488602511902919921586) * z);
+        const prt__vec t1 = z * z;
+        const prt__vec t2 = PRT__R(0.825888983611586872968) * t1 - PRT__R(0.412944491805793436484);
+        prt__vec_store(out + 6 * stride, t2);
+        const prt__vec t3 = PRT__R(1.61906625351721666923) * t1 - PRT__R(1.21429969013791250192);
+        const prt__vec t4 = z * t3;
+        prt__vec_store(out + 12 * stride, t4);
+        const prt__vec t5 = t2 * (PRT__R(4.71662269588694702818) * t2) - PRT__R(0.402146687544551258061);
+        prt__vec_store(out + 20 * stride, t5);
+        const prt__vec t6 = PRT__R(1.9941605714785482504) * (z * t5) - PRT__R(0.990626623845594065416) * t4;
+        prt__vec_store(out + 30 * stride, t6);
+        const prt__vec t7 = PRT__R(1.99686765665245415552) * (z * t6) - PRT__R(0.995518686839271862673) * t5;
+        prt__vec_store(out + 42 * stride, t7);
+        prt__vec_store(out + 56 * stride, PRT__R(1.9981247065730924832) * (z * t7) - PRT__R(0.99749765012849593691) * t6);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = z * z;
+        const prt__vec t2 = PRT__R(0.825888983611586872968) * t1 - PRT__R(0.412944491805793436484);
+        const prt__vec t3 = t2 * (PRT__R(4.71662269588694702818) * t2) - PRT__R(0.402146687544551258061);
+        const prt__vec t4 = PRT__R(1.61906625351721666923) * t1 - PRT__R(1.21429969013791250192);
+        const prt__vec t5 = PRT__R(1.9941605714785482504) * (z * t3) - PRT__R(0.990626623845594065416) * (z * t4);
+        const prt__vec t6 = PRT__R(1.99686765665245415552) * (z * t5) - PRT__R(0.995518686839271862673) * t3;
+        const prt__vec t7 = PRT__R(1.9981247065730924832) * (z * t6) - PRT__R(0.99749765012849593691) * t5;
+        const prt__vec t8 = PRT__R(1.99878824587482633945) * (z * t7) - PRT__R(0.998457044322595902884) * t6;
+        prt__vec_store(out + 72 * stride, t8);
+        prt__vec_store(out + 90 * stride, PRT__R(1.9991716711179192974) * (z * t8) - PRT__R(0.998980209429107783872) * t7);
+        prt__vec_store(out + stride, PRT__R(0.488602511902919921586) * y);
+        prt__vec_store(out + 3 * stride, PRT__R(0.488602511902919921586) * x);
+        const prt__vec t9 = PRT__R(1.09254843059207907054) * z;
+        prt__vec_store(out + 5 * stride, y * t9);
+        prt__vec_store(out + 7 * stride, x * t9);
+        const prt__vec t10 = PRT__R(2.2251937260415151452) * t1 - PRT__R(0.556298431510378786299);
+        prt__vec_store(out + 11 * stride, y * t10);
+        prt__vec_store(out + 13 * stride, x * t10);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = z * z;
+        const prt__vec t2 = PRT__R(4.47811599108138469697) * t1 - PRT__R(2.23905799554069234849);
+        const prt__vec t3 = z * t2;
+        prt__vec_store(out + 19 * stride, y * t3);
+        prt__vec_store(out + 21 * stride, x * t3);
+        const prt__vec t4 = PRT__R(2.2251937260415151452) * t1 - PRT__R(0.556298431510378786299);
+        const prt__vec t5 = PRT__R(1.81395700920230242682) * t4 - PRT__R(1.00910143904649857838);
+        const prt__vec t6 = t4 * t5 - PRT__R(0.561361547776433262911);
+        prt__vec_store(out + 29 * stride, y * t6);
+        prt__vec_store(out + 31 * stride, x * t6);
+        const prt__vec t7 = PRT__R(2.00308404192443849618) * (z * t6) - PRT__R(1.00439949330516663946) * t3;
+        prt__vec_store(out + 41 * stride, y * t7);
+        prt__vec_store(out + 43 * stride, x * t7);
+        const prt__vec t8 = PRT__R(2.00185442784391621093) * (z * t7) - PRT__R(1.00247066466748147447) * t6;
+        prt__vec_store(out + 55 * stride, y * t8);
+        prt__vec_store(out + 57 * stride, x * t8);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = z * z;
+        const prt__vec t2 = PRT__R(2.2251937260415151452) * t1 - PRT__R(0.556298431510378786299);
+        const prt__vec t3 = PRT__R(1.81395700920230242682) * t2 - PRT__R(1.00910143904649857838);
+        const prt__vec t4 = t2 * t3 - PRT__R(0.561361547776433262911);
+        const prt__vec t5 = PRT__R(4.47811599108138469697) * t1 - PRT__R(2.23905799554069234849);
+        const prt__vec t6 = PRT__R(2.00308404192443849618) * (z * t4) - PRT__R(1.00439949330516663946) * (z * t5);
+        const prt__vec t7 = PRT__R(2.00185442784391621093) * (z * t6) - PRT__R(1.00247066466748147447) * t4;
+        const prt__vec t8 = PRT__R(2.00120156213902958958) * (z * t7) - PRT__R(1.00152855204404460325) * t6;
+        prt__vec_store(out + 71 * stride, y * t8);
+        prt__vec_store(out + 73 * stride, x * t8);
+        const prt__vec t9 = PRT__R(2.000822875986267518) * (z * t8) - PRT__R(1.00101246624680610771) * t7;
+        prt__vec_store(out + 89 * stride, y * t9);
+        prt__vec_store(out + 91 * stride, x * t9);
+        const prt__vec t10 = y * x;
+        const prt__vec t11 = t10 + t10;
+        prt__vec_store(out + 4 * stride, PRT__R(0.546274215296039535272) * t11);
+        const prt__vec t12 = (y + x) * (x - y);
+        prt__vec_store(out + 8 * stride, PRT__R(0.546274215296039535272) * t12);
+        const prt__vec t13 = PRT__R(1.44530572132027702769) * z;
+        prt__vec_store(out + 10 * stride, t11 * t13);
+        prt__vec_store(out + 14 * stride, t12 * t13);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = y * x;
+        const prt__vec t2 = t1 + t1;
+        const prt__vec t3 = z * z;
+        const prt__vec t4 = PRT__R(3.27764529177623721163) * t3 - PRT__R(0.546274215296039535272);
+        prt__vec_store(out + 18 * stride, t2 * t4);
+        const prt__vec t5 = (y + x) * (x - y);
+        prt__vec_store(out + 22 * stride, t5 * t4);
+        const prt__vec t6 = PRT__R(7.04063249082559160399) * t3 - PRT__R(2.6402371840595968515);
+        const prt__vec t7 = z * t6;
+        prt__vec_store(out + 28 * stride, t2 * t7);
+        prt__vec_store(out + 32 * stride, t5 * t7);
+        const prt__vec t8 = PRT__R(1.37233279507355082388) * t4 - PRT__R(1.19947203320611937035);
+        const prt__vec t9 = t4 * t8 - PRT__R(0.511906752897826512122);
+        prt__vec_store(out + 40 * stride, t2 * t9);
+        prt__vec_store(out + 44 * stride, t5 * t9);
+        const prt__vec t10 = PRT__R(2.06485074947180018626) * (z * t9) - PRT__R(1.00887444616012613957) * t7;
+        prt__vec_store(out + 54 * stride, t2 * t10);
+        prt__vec_store(out + 58 * stride, t5 * t10);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = y * x;
+        const prt__vec t2 = t1 + t1;
+        const prt__vec t3 = z * z;
+        const prt__vec t4 = PRT__R(3.27764529177623721163) * t3 - PRT__R(0.546274215296039535272);
+        const prt__vec t5 = PRT__R(1.37233279507355082388) * t4 - PRT__R(1.19947203320611937035);
+        const prt__vec t6 = t4 * t5 - PRT__R(0.511906752897826512122);
+        const prt__vec t7 = PRT__R(7.04063249082559160399) * t3 - PRT__R(2.6402371840595968515);
+        const prt__vec t8 = PRT__R(2.06485074947180018626) * (z * t6) - PRT__R(1.00887444616012613957) * (z * t7);
+        const prt__vec t9 = PRT__R(2.047379529757827986) * (z * t8) - PRT__R(1.0065555134461126069) * t6;
+        prt__vec_store(out + 70 * stride, t2 * t9);
+        const prt__vec t10 = (y + x) * (x - y);
+        prt__vec_store(out + 74 * stride, t10 * t9);
+        const prt__vec t11 = PRT__R(2.03608622627713160396) * (z * t9) - PRT__R(1.00494030387093691765) * t8;
+        prt__vec_store(out + 88 * stride, t2 * t11);
+        prt__vec_store(out + 92 * stride, t10 * t11);
+        const prt__vec t12 = y * y;
+        const prt__vec t13 = t10 + t12;
+        const prt__vec t14 = y * (t10 + (t13 + t13));
+        prt__vec_store(out + 9 * stride, PRT__R(0.590043589926643510346) * t14);
+        const prt__vec t15 = x * (t10 - (t12 + t12));
+        prt__vec_store(out + 15 * stride, PRT__R(0.590043589926643510346) * t15);
+        const prt__vec t16 = PRT__R(1.77013076977993053104) * z;
+        prt__vec_store(out + 17 * stride, t14 * t16);
+        prt__vec_store(out + 23 * stride, t15 * t16);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = (y + x) * (x - y);
+        const prt__vec t2 = y * y;
+        const prt__vec t3 = t1 + t2;
+        const prt__vec t4 = y * (t1 + (t3 + t3));
+        const prt__vec t5 = z * z;
+        const prt__vec t6 = PRT__R(4.37968383934737954461) * t5 - PRT__R(0.547460479918422443076);
+        prt__vec_store(out + 27 * stride, t4 * t6);
+        const prt__vec t7 = x * (t1 - (t2 + t2));
+        prt__vec_store(out + 33 * stride, t7 * t6);
+        const prt__vec t8 = PRT__R(10.0119715893477442193) * t5 - PRT__R(3.0035914768043232658);
+        const prt__vec t9 = z * t8;
+        prt__vec_store(out + 39 * stride, t4 * t9);
+        prt__vec_store(out + 45 * stride, t7 * t9);
+        const prt__vec t10 = PRT__R(1.14470177335741903992) * t6 - PRT__R(1.25335796441144373015);
+        const prt__vec t11 = t6 * t10 - PRT__R(0.48031476689438621492);
+        prt__vec_store(out + 53 * stride, t4 * t11);
+        prt__vec_store(out + 59 * stride, t7 * t11);
+        const prt__vec t12 = PRT__R(2.13960769627671528242) * (z * t11) - PRT__R(1.00550825192169375133) * t9;
+        prt__vec_store(out + 69 * stride, t4 * t12);
+        prt__vec_store(out + 75 * stride, t7 * t12);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = (y + x) * (x - y);
+        const prt__vec t2 = y * y;
+        const prt__vec t3 = t1 + t2;
+        const prt__vec t4 = z * z;
+        const prt__vec t5 = PRT__R(4.37968383934737954461) * t4 - PRT__R(0.547460479918422443076);
+        const prt__vec t6 = PRT__R(1.14470177335741903992) * t5 - PRT__R(1.25335796441144373015);
+        const prt__vec t7 = t5 * t6 - PRT__R(0.48031476689438621492);
+        const prt__vec t8 = PRT__R(10.0119715893477442193) * t4 - PRT__R(3.0035914768043232658);
+        const prt__vec t9 = PRT__R(2.13960769627671528242) * (z * t7) - PRT__R(1.00550825192169375133) * (z * t8);
+        const prt__vec t10 = PRT__R(2.10577559828109434639) * (z * t9) - PRT__R(1.00569948140936029559) * t7;
+        prt__vec_store(out + 87 * stride, (y * (t1 + (t3 + t3))) * t10);
+        prt__vec_store(out + 93 * stride, (x * (t1 - (t2 + t2))) * t10);
+        const prt__vec t11 = y * x;
+        const prt__vec t12 = t11 + t11;
+        const prt__vec t13 = t1 * t12;
+        const prt__vec t14 = t13 + t13;
+        prt__vec_store(out + 16 * stride, PRT__R(0.625835735449176134587) * t14);
+        const prt__vec t15 = (t1 + t12) * (t1 - t12);
+        prt__vec_store(out + 24 * stride, PRT__R(0.625835735449176134587) * t15);
+        const prt__vec t16 = PRT__R(2.075662314881041279) * z;
+        prt__vec_store(out + 26 * stride, t14 * t16);
+        prt__vec_store(out + 34 * stride, t15 * t16);
+        const prt__vec t17 = PRT__R(5.53226317538874894011) * t4 - PRT__R(0.553226317538874894011);
+        prt__vec_store(out + 38 * stride, t14 * t17);
+        prt__vec_store(out + 46 * stride, t15 * t17);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = (y + x) * (x - y);
+        const prt__vec t2 = y * x;
+        const prt__vec t3 = t2 + t2;
+        const prt__vec t4 = t1 * t3;
+        const prt__vec t5 = t4 + t4;
+        const prt__vec t6 = z * z;
+        const prt__vec t7 = PRT__R(13.3876196648007832099) * t6 - PRT__R(3.34690491620019580249);
+        const prt__vec t8 = z * t7;
+        prt__vec_store(out + 52 * stride, t5 * t8);
+        const prt__vec t9 = (t1 + t3) * (t1 - t3);
+        prt__vec_store(out + 60 * stride, t9 * t8);
+        const prt__vec t10 = PRT__R(5.53226317538874894011) * t6 - PRT__R(0.553226317538874894011);
+        const prt__vec t11 = PRT__R(1.00325462178684816145) * t10 - PRT__R(1.26863282277713073229);
+        const prt__vec t12 = t10 * t11 - PRT__R(0.460583198810398206878);
+        prt__vec_store(out + 68 * stride, t5 * t12);
+        prt__vec_store(out + 76 * stride, t9 * t12);
+        const prt__vec t13 = PRT__R(2.21822946338610302856) * (z * t12) - PRT__R(0.999366056347041316611) * t8;
+        prt__vec_store(out + 86 * stride, t5 * t13);
+        prt__vec_store(out + 94 * stride, t9 * t13);
+        prt__vec_store(out + 25 * stride, PRT__R(0.656382056840170102814) * (y * t9 + x * t5));
+        prt__vec_store(out + 35 * stride, PRT__R(0.656382056840170102814) * (x * t9 - y * t5));
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = (y + x) * (x - y);
+        const prt__vec t2 = y * x;
+        const prt__vec t3 = t2 + t2;
+        const prt__vec t4 = (t1 + t3) * (t1 - t3);
+        const prt__vec t5 = t1 * t3;
+        const prt__vec t6 = t5 + t5;
+        const prt__vec t7 = y * t4 + x * t6;
+        const prt__vec t8 = PRT__R(2.36661916223175203199) * z;
+        prt__vec_store(out + 37 * stride, t7 * t8);
+        const prt__vec t9 = x * t4 - y * t6;
+        prt__vec_store(out + 47 * stride, t9 * t8);
+        const prt__vec t10 = z * z;
+        const prt__vec t11 = PRT__R(6.73131046101657472554) * t10 - PRT__R(0.560942538418047893795);
+        prt__vec_store(out + 51 * stride, t7 * t11);
+        prt__vec_store(out + 61 * stride, t9 * t11);
+        const prt__vec t12 = PRT__R(17.1567982383278290323) * t10 - PRT__R(3.67645676535596336405);
+        const prt__vec t13 = z * t12;
+        prt__vec_store(out + 67 * stride, t7 * t13);
+        prt__vec_store(out + 77 * stride, t9 * t13);
+        const prt__vec t14 = PRT__R(0.906010318363799802197) * t11 - PRT__R(1.27054931953983393429);
+        const prt__vec t15 = t11 * t14 - PRT__R(0.447986100878170112466);
+        prt__vec_store(out + 85 * stride, t7 * t15);
+        prt__vec_store(out + 95 * stride, t9 * t15);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = (y + x) * (x - y);
+        const prt__vec t2 = y * y;
+        const prt__vec t3 = x * (t1 - (t2 + t2));
+        const prt__vec t4 = t1 + t2;
+        const prt__vec t5 = y * (t1 + (t4 + t4));
+        const prt__vec t6 = t3 * t5;
+        const prt__vec t7 = t6 + t6;
+        prt__vec_store(out + 36 * stride, PRT__R(0.683184105191914321975) * t7);
+        const prt__vec t8 = (t3 + t5) * (t3 - t5);
+        prt__vec_store(out + 48 * stride, PRT__R(0.683184105191914321975) * t8);
+        const prt__vec t9 = PRT__R(2.64596066180190022197) * z;
+        prt__vec_store(out + 50 * stride, t7 * t9);
+        prt__vec_store(out + 62 * stride, t8 * t9);
+        const prt__vec t10 = z * z;
+        const prt__vec t11 = PRT__R(7.97265272468488541901) * t10 - PRT__R(0.569475194620348958501);
+        prt__vec_store(out + 66 * stride, t7 * t11);
+        prt__vec_store(out + 78 * stride, t8 * t11);
+        const prt__vec t12 = PRT__R(21.3083359134333530585) * t10 - PRT__R(3.99531298376875369847);
+        const prt__vec t13 = z * t12;
+        prt__vec_store(out + 84 * stride, t7 * t13);
+        prt__vec_store(out + 96 * stride, t8 * t13);
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = (y + x) * (x - y);
+        const prt__vec t2 = y * y;
+        const prt__vec t3 = x * (t1 - (t2 + t2));
+        const prt__vec t4 = t1 + t2;
+        const prt__vec t5 = y * (t1 + (t4 + t4));
+        const prt__vec t6 = (t3 + t5) * (t3 - t5);
+        const prt__vec t7 = t3 * t5;
+        const prt__vec t8 = t7 + t7;
+        const prt__vec t9 = y * t6 + x * t8;
+        prt__vec_store(out + 49 * stride, PRT__R(0.707162732524596178226) * t9);
+        const prt__vec t10 = x * t6 - y * t8;
+        prt__vec_store(out + 63 * stride, PRT__R(0.707162732524596178226) * t10);
+        const prt__vec t11 = PRT__R(2.91570664069931947548) * z;
+        prt__vec_store(out + 65 * stride, t9 * t11);
+        prt__vec_store(out + 79 * stride, t10 * t11);
+        const prt__vec t12 = PRT__R(9.25266937297977981733) * (z * z) - PRT__R(0.578291835811236238583);
+        prt__vec_store(out + 83 * stride, t9 * t12);
+        prt__vec_store(out + 97 * stride, t10 * t12);
+        const prt__vec t13 = y * x;
+        const prt__vec t14 = t13 + t13;
+        const prt__vec t15 = (t1 + t14) * (t1 - t14);
+        const prt__vec t16 = t1 * t14;
+        const prt__vec t17 = t16 + t16;
+        const prt__vec t18 = t15 * t17;
+        prt__vec_store(out + 64 * stride, PRT__R(0.72892666017482986887) * (t18 + t18));
+        prt__vec_store(out + 80 * stride, PRT__R(0.72892666017482986887) * ((t15 + t17) * (t15 - t17)));
+    }
+    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {
+        const prt__vec x = prt__vec_load(xs + k);
+        const prt__vec y = prt__vec_load(ys + k);
+        const prt__vec z = prt__vec_load(zs + k);
+        prt_real *PRT__RESTRICT out = rows + k;
+        const prt__vec t1 = (y + x) * (x - y);
+        const prt__vec t2 = y * x;
+        const prt__vec t3 = t2 + t2;
+        const prt__vec t4 = (t1 + t3) * (t1 - t3);
+        const prt__vec t5 = t1 * t3;
+        const prt__vec t6 = t5 + t5;
+        const prt__vec t7 = t4 * t6;
+        const prt__vec t8 = t7 + t7;
+        const prt__vec t9 = PRT__R(3.1773176489546974773) * z;
+        prt__vec_store(out + 82 * stride, t8 * t9);
+        const prt__vec t10 = (t4 + t6) * (t4 - t6);
+        prt__vec_store(out + 98 * stride, t10 * t9);
+        prt__vec_store(out + 81 * stride, PRT__R(0.74890095185318829655) * (y * t10 + x * t8));
+        prt__vec_store(out + 99 * stride, PRT__R(0.74890095185318829655) * (x * t10 - y * t8));
+    }
 }
 
 /* CH value, 1 band: 1 multiplications, 0 additions (0 can fuse), 1 loads, 1 stores */

@@ -127,47 +127,15 @@ const dialect dialect_header_lanes = {
     "prt__vec_pow", "%s < %s ? %s : %s", 21, "PRT__R(", ")", open_header_lanes, load_header_lanes, store_header_lanes, NULL, 0, NULL, ""
 };
 
-/* Swept: the kernel is inlined once a sweep with constant bounds on the number of the store, which leaves of it just what
-   the stores of the sweep need. */
-enum { SWEEP_ROWS = 8 };
-
-static void open_header_swept(FILE *to, const kernel *k, const char *name) {
-    open_header_form(to, k, name, "PRT__INLINE", "_part", "prt__vec", "size_t stride, int first, int last");
-    if (k->output_count == 1) fprintf(to, "    (void)stride;\n");
-}
-
 static void store_header_swept(FILE *to, const param *p, int element, const char *value, int is_constant, int number) {
-    fprintf(to, "    if (first <= %d && %d < last)%s", number, number, strlen(value) > 52 ? "\n        " : " ");
+    (void)number;
+    fprintf(to, "        ");
     print_store_lanes(to, p, element, value, is_constant);
 }
 
-/* The sweeps over `vectors` vectors of items, scalar parameters as arrays; all sweeps but the last have equally many rows. */
-static void close_header_swept(FILE *to, const kernel *k, const char *name) {
-    int parts = (k->output_count + SWEEP_ROWS - 1) / SWEEP_ROWS, rows = (k->output_count + parts - 1) / parts, first, i;
-    fprintf(to, "PRT__STATIC void %s_v(int vectors", name);
-    for (i = 0; i < k->param_count; i++)
-        switch (k->params[i].kind) {
-        case PARAM_DIRECTION: fprintf(to, ", const prt_real *x, const prt_real *y, const prt_real *z"); break;
-        case PARAM_SCALAR: case PARAM_INPUT: fprintf(to, ", const prt_real *%s", k->params[i].name); break;
-        case PARAM_OUTPUT: case PARAM_RESULT: fprintf(to, ",\n    prt_real *PRT__RESTRICT %s", k->params[i].name); break;
-        }
-    fprintf(to, ", size_t stride) {\n    int k;\n");
-    for (first = 0; first < k->output_count; first += rows) {
-        fprintf(to, "    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES)\n        %s_part(", name);
-        for (i = 0; i < k->param_count; i++)
-            switch (k->params[i].kind) {
-            case PARAM_DIRECTION: fprintf(to, "prt__vec_load(x + k), prt__vec_load(y + k), prt__vec_load(z + k), "); break;
-            case PARAM_SCALAR: fprintf(to, "prt__vec_load(%s + k), ", k->params[i].name); break;
-            default: fprintf(to, "%s + k, ", k->params[i].name); break;
-            }
-        fprintf(to, "stride, %d, %d);\n", first, first + rows < k->output_count ? first + rows : k->output_count);
-    }
-    fprintf(to, "}\n\n");
-}
-
-const dialect dialect_header_swept = {
+static const dialect dialect_header_swept = {
     "c", "/* ", " */", "const prt__vec %s = ", "prt__vec_min", "prt__vec_max", "prt__vec_sqrt", "prt__vec_sin", "prt__vec_cos",
-    "prt__vec_pow", "%s < %s ? %s : %s", 21, "PRT__R(", ")", open_header_swept, load_header_lanes, store_header_swept, close_header_swept, 0, NULL, ""
+    "prt__vec_pow", "%s < %s ? %s : %s", 21, "PRT__R(", ")", NULL, load_header_lanes, store_header_swept, NULL, 0, NULL, ""
 };
 
 static void open_header_rows(FILE *to, const kernel *k, const char *name, const char *tail, const char *coefficients) {
@@ -345,9 +313,20 @@ typedef struct printer {
     FILE *to;
     const dialect *d;
     const kernel *k;
+    const char *indent;
     int *temporary;                                    /* number of the temporary that holds a node, or 0 */
     int temporary_count;
 } printer;
+
+static void printer_open(printer *p, FILE *to, const dialect *d, const kernel *k, const char *indent) {
+    p->to = to;
+    p->d = d;
+    p->k = k;
+    p->indent = indent;
+    p->temporary_count = 0;
+    p->temporary = (int *)calloc((size_t)k->node_count, sizeof *p->temporary);
+    if (!p->temporary) { fprintf(stderr, "prt_codegen: out of memory\n"); exit(1); }
+}
 
 /* Where an expression stands, and so which of its operators needs no parentheses. */
 typedef enum place { IN_PRODUCT, IN_SUM, ARGUMENT, STATEMENT } place;
@@ -397,7 +376,7 @@ static void operation_text(printer *p, const node_data *n, char *text, place whe
 static void keep_temporary(printer *p, node n, const char *text, char name[16]) {
     p->temporary[n] = ++p->temporary_count;
     snprintf(name, 16, "t%d", p->temporary[n]);
-    fprintf(p->to, "    ");
+    fprintf(p->to, "%s", p->indent);
     fprintf(p->to, p->d->declare, name);
     fprintf(p->to, "%s;\n", text);
 }
@@ -438,12 +417,7 @@ void print_kernel(FILE *to, const dialect *d, kernel *k, const char *name) {
     char result[3][EXPRESSION_MAX];
     int i, returned = 0;
     kernel_count_uses(k);
-    p.to = to;
-    p.d = d;
-    p.k = k;
-    p.temporary_count = 0;
-    p.temporary = (int *)calloc((size_t)k->node_count, sizeof *p.temporary);
-    if (!p.temporary) { fprintf(stderr, "prt_codegen: out of memory\n"); exit(1); }
+    printer_open(&p, to, d, k, "    ");
     print_summary(to, d, k);
     d->open(to, k, name);
     if (k->stores_last) print_values(&p);
@@ -467,4 +441,59 @@ void print_kernel(FILE *to, const dialect *d, kernel *k, const char *name) {
     fprintf(to, "}\n\n");
     if (d->close) d->close(to, k, name);
     free(p.temporary);
+}
+
+/* ---- the sweeps of prt.h over many directions ---- */
+
+enum { SWEEP_ROWS = 8 };
+
+/* The components of the direction that a sweep uses */
+static void print_sweep_loads(FILE *to, const kernel *k) {
+    int i, axis;
+    for (axis = 0; axis < 3; axis++)
+        for (i = 0; i < k->node_count; i++) {
+            const node_data *n = &k->nodes[i];
+            if (n->op != OP_INPUT || n->b != axis || !n->uses) continue;
+            fprintf(to, "        const prt__vec %c = prt__vec_load(%cs + k);\n", axis_name[axis], axis_name[axis]);
+            break;
+        }
+}
+
+static void print_sweep(FILE *to, kernel *sweep) {
+    char text[EXPRESSION_MAX];
+    printer p;
+    int i;
+    kernel_count_uses(sweep);
+    printer_open(&p, to, &dialect_header_swept, sweep, "        ");
+    fprintf(to, "    for (k = 0; k < vectors * PRT__LANES; k += PRT__LANES) {\n");
+    print_sweep_loads(to, sweep);
+    fprintf(to, "        prt_real *PRT__RESTRICT out = rows + k;\n");
+    for (i = 0; i < sweep->output_count; i++) {
+        const output *o = &sweep->outputs[i];
+        expression(&p, o->value, text, STATEMENT);
+        store_header_swept(to, &sweep->params[o->param], o->element, text, sweep->nodes[o->value].op == OP_CONST, i);
+    }
+    fprintf(to, "    }\n");
+    free(p.temporary);
+}
+
+/* Each sweep computes what its rows need, and some of it again. All but the last have equally many rows. */
+void print_swept(FILE *to, kernel *k, const char *name) {
+    int parts = (k->output_count + SWEEP_ROWS - 1) / SWEEP_ROWS, rows = (k->output_count + parts - 1) / parts, first;
+    if (k->param_count != 2 || k->params[0].kind != PARAM_DIRECTION) {
+        fprintf(stderr, "prt_codegen: %s: only functions of a direction are swept\n", name);
+        exit(1);
+    }
+    kernel_count_uses(k);
+    print_summary(to, &dialect_header_swept, k);
+    fprintf(to, "PRT__STATIC void %s_v(int vectors, const prt_real *xs, const prt_real *ys, const prt_real *zs,\n"
+                "    prt_real *PRT__RESTRICT rows, size_t stride) {\n    int k;\n", name);
+    if (k->output_count == 1) fprintf(to, "    (void)xs;\n    (void)ys;\n    (void)zs;\n    (void)stride;\n");
+    for (first = 0; first < k->output_count; first += rows) {
+        kernel sweep = *k;
+        sweep.outputs += first;
+        sweep.output_count = first + rows < k->output_count ? rows : k->output_count - first;
+        print_sweep(to, &sweep);
+    }
+    fprintf(to, "}\n\n");
 }

@@ -28,7 +28,7 @@ typedef struct dialect {
    each other from a first-level cache of 8 to 12 ways before their lines are full.
    Nodes and block, for kernel_nodes.c: arrays of prt__vec, but that of the factors q, which has PRT__NODES reals for each
    entry, and, for nodes, that of the coefficients f, which are the same in all lanes. */
-extern const dialect dialect_header, dialect_header_lanes, dialect_header_swept, dialect_header_nodes, dialect_header_block;
+extern const dialect dialect_header, dialect_header_lanes, dialect_header_nodes, dialect_header_block;
 
 /* half: at least 16 bits, mediump, min16float, f16, half, _Float16; float16: 16 bits exactly, GLSL's float16_t and HLSL's half */
 typedef enum precision { PRECISION_FLOAT, PRECISION_HALF, PRECISION_FLOAT16, PRECISIONS } precision;
@@ -37,5 +37,6 @@ typedef enum precision { PRECISION_FLOAT, PRECISION_HALF, PRECISION_FLOAT16, PRE
 const dialect *find_dialect(const char *language, precision p);
 
 void print_kernel(FILE *to, const dialect *d, kernel *k, const char *name);
+void print_swept(FILE *to, kernel *k, const char *name);
 
 #endif
