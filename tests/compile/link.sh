@@ -38,6 +38,9 @@ for bands in 1 3 1024; do   # every function compiled, with the warnings that ne
     check "PRT_MAX_BANDS=$bands, PRT_NO_SIMD, optimised" limits -DPRT_MAX_BANDS=$bands -DPRT_NO_SIMD -O2
 done
 
+check "PRT_NO_CH" limits -DPRT_NO_CH -O2
+check "PRT_NO_CH, double, static" limits -DPRT_NO_CH -DPRT_DOUBLE -DPRT_STATIC
+
 implementation() { # FILE: the source that holds everything
     printf '#define PRT_IMPLEMENTATION\n#define PRT_BAKE_IMPLEMENTATION\n#include "prt.h"\n'
     [ -n "$has_bake" ] && printf '#include "prt_bake.h"\n'
