@@ -8,6 +8,7 @@ FUZZ_SECONDS ?= 60
 help:
 	@echo "make demo       bake and relight the Stanford bunny; pictures in out/"
 	@echo "make vo         compare vector occluders with other techniques; writes docs/vo.md and its pictures"
+	@echo "make fiv        moving occluders: writes docs/fiv.md, its pictures and an animation"
 	@echo "make test       build and run every test; ends with 'N passed, N failed'"
 	@echo "make bench      time and error of every candidate, as tables and CSV"
 	@echo "make gen        rewrite the generated blocks of the headers (gen-check: only compare)"
@@ -36,6 +37,11 @@ vo:
 	@./deps.sh demo bench
 	@$(without_tests)
 	@cmake --build $(BUILD)/tools -j$(JOBS) --target vo
+
+fiv:
+	@./deps.sh demo
+	@$(without_tests)
+	@cmake --build $(BUILD)/tools -j$(JOBS) --target fiv
 
 bench:
 	@./deps.sh bench
@@ -66,4 +72,4 @@ install:
 clean:
 	rm -rf $(BUILD) out
 
-.PHONY: help test demo vo bench docs gen gen-check fuzz portability install clean
+.PHONY: help test demo vo fiv bench docs gen gen-check fuzz portability install clean

@@ -72,6 +72,7 @@ need "demo"       libstb-dev               hdr stb/stb_image.h
 need "demo"       libcglm-dev              hdr cglm/cglm.h
 need "demo"       fonts-dejavu-core        test -f /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf
 need "demo"       glmark2-data             test -d /usr/share/glmark2/models
+want "demo test"  webp                     cmd img2webp
 need "test"       libcmocka-dev            pc cmocka
 need "test bench" libmpfr-dev              hdr mpfr.h
 want "test bench" libembree-dev            hdr embree3/rtcore.h

@@ -72,18 +72,31 @@ static int occluded(void *user, int count, const prt_ray *rays, unsigned char *b
     return 0;
 }
 
+/* Embree leaves the normal of an instance's hit in the instance's own frame. */
+static void turn_to_world(RTCGeometry instance, float n[3]) {
+    float m[12], own[3];
+    int k;
+    rtcGetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, m);
+    memcpy(own, n, sizeof own);
+    for (k = 0; k < 3; k++) n[k] = m[k] * own[0] + m[3 + k] * own[1] + m[6 + k] * own[2];
+}
+
 static void read_hit(RTCScene scene, const struct RTCRayHit *from, prt_hit *to) {
-    float length = sqrtf(from->hit.Ng_x * from->hit.Ng_x + from->hit.Ng_y * from->hit.Ng_y +
-                         from->hit.Ng_z * from->hit.Ng_z);
-    float scale = length > 0 ? 1 / length : 0;
+    int instanced = from->hit.instID[0] != RTC_INVALID_GEOMETRY_ID;
+    RTCGeometry body = rtcGetGeometry(scene, instanced ? from->hit.instID[0] : from->hit.geomID);
+    float n[3], length, scale;
+    n[0] = from->hit.Ng_x; n[1] = from->hit.Ng_y; n[2] = from->hit.Ng_z;
+    if (instanced) turn_to_world(body, n);
+    length = sqrtf(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    scale = length > 0 ? 1 / length : 0;
     to->t = from->ray.tfar;
-    to->object = (int)(uintptr_t)rtcGetGeometryUserData(rtcGetGeometry(scene, from->hit.geomID));
+    to->object = (int)(uintptr_t)rtcGetGeometryUserData(body);
     to->primitive = (int)from->hit.primID;
     to->u = from->hit.u;
     to->v = from->hit.v;
-    to->normal.x = scale * from->hit.Ng_x;
-    to->normal.y = scale * from->hit.Ng_y;
-    to->normal.z = scale * from->hit.Ng_z;
+    to->normal.x = scale * n[0];
+    to->normal.y = scale * n[1];
+    to->normal.z = scale * n[2];
 }
 
 static int closest(void *user, int count, const prt_ray *rays, prt_hit *hits) {
@@ -113,16 +126,20 @@ static int closest(void *user, int count, const prt_ray *rays, prt_hit *hits) {
     return 0;
 }
 
-int embree_tracer_create(embree_tracer *t, why *w) {
-    memset(t, 0, sizeof *t);
-    t->device = rtcNewDevice(NULL);
-    if (!t->device) return embree_failed(t, "starting", w) ? -1 : why_set(w, "Embree cannot be started");
+static int make_scene(embree_tracer *t, why *w) {
     t->scene = rtcNewScene(device_of(t));
     rtcSetSceneFlags(scene_of(t), RTC_SCENE_FLAG_ROBUST);  /* no ray slips through between two triangles */
     t->tracer.user = t;
     t->tracer.occluded = occluded;
     t->tracer.closest = closest;
     return embree_failed(t, "making a scene", w);
+}
+
+int embree_tracer_create(embree_tracer *t, why *w) {
+    memset(t, 0, sizeof *t);
+    t->device = rtcNewDevice(NULL);
+    if (!t->device) return embree_failed(t, "starting", w) ? -1 : why_set(w, "Embree cannot be started");
+    return make_scene(t, w);
 }
 
 static void copy_buffers(const mesh *m, float *positions, uint32_t *triangles) {
@@ -149,6 +166,35 @@ int embree_tracer_add(embree_tracer *t, const mesh *m, int object, why *w) {
     }
     rtcReleaseGeometry(geometry);
     return embree_failed(t, "adding a mesh", w);
+}
+
+int embree_tracer_create_beside(const embree_tracer *other, embree_tracer *t, why *w) {
+    memset(t, 0, sizeof *t);
+    t->device = other->device;
+    rtcRetainDevice(device_of(t));
+    return make_scene(t, w);
+}
+
+int embree_tracer_add_instance(embree_tracer *t, const embree_tracer *of, int object, why *w) {
+    RTCGeometry instance = rtcNewGeometry(device_of(t), RTC_GEOMETRY_TYPE_INSTANCE);
+    unsigned number;
+    rtcSetGeometryInstancedScene(instance, scene_of(of));
+    rtcSetGeometryUserData(instance, (void *)(uintptr_t)object);
+    rtcCommitGeometry(instance);
+    number = rtcAttachGeometry(scene_of(t), instance);
+    rtcReleaseGeometry(instance);
+    return embree_failed(t, "adding an instance", w) ? -1 : (int)number;
+}
+
+void embree_tracer_move(embree_tracer *t, int number, const prt_real rotation[9], prt_vec3 position) {
+    RTCGeometry instance = rtcGetGeometry(scene_of(t), (unsigned)number);
+    float m[12];
+    int row, column;
+    for (column = 0; column < 3; column++)
+        for (row = 0; row < 3; row++) m[3 * column + row] = (float)rotation[3 * row + column];
+    m[9] = (float)position.x; m[10] = (float)position.y; m[11] = (float)position.z;
+    rtcSetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, m);
+    rtcCommitGeometry(instance);
 }
 
 int embree_tracer_build(embree_tracer *t, why *w) {
