@@ -14948,7 +14948,7 @@ PRT__INLINE void prt__row_product_6_v(const prt__vec *w, const prt__vec *v, prt_
 /* END GENERATED */
 
 /* BEGIN GENERATED: prt_codegen --lang c --emit sh_rotate --bands 2-8 */
-/* rotation of one vector, 2 bands; turn: cos, sin of a, b, g: 9 multiplications, 6 additions (6 can fuse), 13 loads, 4 stores */
+/* rotation of one vector by r and by turn, cos and sin of a, b, g, 2 bands: 9 multiplications, 6 additions (6 can fuse), 13 loads, 4 stores */
 PRT__STATIC void prt__sh_rotate_2(const prt_real *r, const prt_real *turn, const prt_real *f, 
     prt_real *PRT__RESTRICT out) {
     (void)turn;
@@ -14961,7 +14961,7 @@ PRT__STATIC void prt__sh_rotate_2(const prt_real *r, const prt_real *turn, const
     out[3] = (r[1] * t1 + r[2] * t2) + r[0] * t3;
 }
 
-/* rotation of one vector, 3 bands; turn: cos, sin of a, b, g: 55 multiplications, 37 additions (35 can fuse), 18 loads, 9 stores */
+/* rotation of one vector by r and by turn, cos and sin of a, b, g, 3 bands: 55 multiplications, 37 additions (35 can fuse), 18 loads, 9 stores */
 PRT__STATIC void prt__sh_rotate_3(const prt_real *r, const prt_real *turn, const prt_real *f, 
     prt_real *PRT__RESTRICT out) {
     (void)turn;
@@ -15004,7 +15004,7 @@ PRT__STATIC void prt__sh_rotate_3(const prt_real *r, const prt_real *turn, const
     out[8] = -(((t5 * t24 + t1 * t25) + t3 * t26) + PRT__R(0.5) * t28);
 }
 
-/* rotation of one vector, 4 bands; turn: cos, sin of a, b, g: 122 multiplications, 64 additions (61 can fuse), 31 loads, 16 stores */
+/* rotation of one vector by r and by turn, cos and sin of a, b, g, 4 bands: 122 multiplications, 64 additions (61 can fuse), 31 loads, 16 stores */
 PRT__STATIC void prt__sh_rotate_4(const prt_real *r, const prt_real *turn, const prt_real *f, 
     prt_real *PRT__RESTRICT out) {
     out[0] = f[0];
@@ -15095,7 +15095,7 @@ PRT__STATIC void prt__sh_rotate_4(const prt_real *r, const prt_real *turn, const
     out[15] = t35 * t64 - t51 * t50;
 }
 
-/* rotation of one vector, 5 bands; turn: cos, sin of a, b, g: 224 multiplications, 118 additions (115 can fuse), 40 loads, 25 stores */
+/* rotation of one vector by r and by turn, cos and sin of a, b, g, 5 bands: 224 multiplications, 118 additions (115 can fuse), 40 loads, 25 stores */
 PRT__STATIC void prt__sh_rotate_5(const prt_real *r, const prt_real *turn, const prt_real *f, 
     prt_real *PRT__RESTRICT out) {
     out[0] = f[0];
@@ -15247,7 +15247,7 @@ PRT__STATIC void prt__sh_rotate_5(const prt_real *r, const prt_real *turn, const
     out[24] = t71 * t111 - t93 * t92;
 }
 
-/* rotation of one vector, 6 bands; turn: cos, sin of a, b, g: 358 multiplications, 194 additions (191 can fuse), 51 loads, 36 stores */
+/* rotation of one vector by r and by turn, cos and sin of a, b, g, 6 bands: 358 multiplications, 194 additions (191 can fuse), 51 loads, 36 stores */
 PRT__STATIC void prt__sh_rotate_6(const prt_real *r, const prt_real *turn, const prt_real *f, 
     prt_real *PRT__RESTRICT out) {
     out[0] = f[0];
@@ -15486,7 +15486,7 @@ PRT__STATIC void prt__sh_rotate_6(const prt_real *r, const prt_real *turn, const
     out[35] = t123 * t178 - t153 * t152;
 }
 
-/* rotation of one vector, 7 bands; turn: cos, sin of a, b, g: 528 multiplications, 296 additions (293 can fuse), 64 loads, 49 stores */
+/* rotation of one vector by r and by turn, cos and sin of a, b, g, 7 bands: 528 multiplications, 296 additions (293 can fuse), 64 loads, 49 stores */
 PRT__STATIC void prt__sh_rotate_7(const prt_real *r, const prt_real *turn, const prt_real *f, 
     prt_real *PRT__RESTRICT out) {
     out[0] = f[0];
@@ -15832,7 +15832,7 @@ PRT__STATIC void prt__sh_rotate_7(const prt_real *r, const prt_real *turn, const
     out[48] = t199 * t265 - t237 * t236;
 }
 
-/* rotation of one vector, 8 bands; turn: cos, sin of a, b, g: 738 multiplications, 428 additions (425 can fuse), 79 loads, 64 stores */
+/* rotation of one vector by r and by turn, cos and sin of a, b, g, 8 bands: 738 multiplications, 428 additions (425 can fuse), 79 loads, 64 stores */
 PRT__STATIC void prt__sh_rotate_8(const prt_real *r, const prt_real *turn, const prt_real *f, 
     prt_real *PRT__RESTRICT out) {
     out[0] = f[0];

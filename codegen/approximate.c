@@ -58,3 +58,24 @@ node k_arc_cosine(kernel *k, node cosine) {
     node arc = k_mul(k, k_sqrt(k, k_sub(k, one, size)), polynomial_of(k, arc_over_root, 8, size));
     return k_select(k, cosine, zero, k_sub(k, k_const(k, x_pi()), arc), arc);
 }
+
+/* atan(v)/v as a function of t = v^2 */
+static xreal arc_over_tangent(xreal t) {
+    xreal v = x_sqrt(t);
+    return arc_over_root(1 / x_sqrt(1 + t)) * x_sqrt(1 - 1 / x_sqrt(1 + t)) / v;
+}
+
+node k_arc_tangent(kernel *k, node y, node x) {
+    node zero = k_const(k, 0), wide = k_abs(k, x), high = k_abs(k, y), large = k_max(k, wide, high), v, arc;
+    v = k_select(k, zero, large, k_div(k, k_min(k, wide, high), large), zero);
+    arc = k_mul(k, v, polynomial_of(k, arc_over_tangent, 9, k_mul(k, v, v)));
+    arc = k_select(k, wide, high, k_sub(k, k_const(k, x_pi() / 2), arc), arc);
+    arc = k_select(k, x, zero, k_sub(k, k_const(k, x_pi()), arc), arc);
+    return k_select(k, y, zero, k_neg(k, arc), arc);
+}
+
+/* Languages leave 0 to the power 0 open, and some make every power of 0 not a number. */
+node k_power(kernel *k, node base, node exponent) {
+    node zero = k_const(k, 0), one = k_const(k, 1);
+    return k_select(k, zero, exponent, k_select(k, zero, base, k_pow(k, base, exponent), zero), one);
+}

@@ -32,7 +32,7 @@ typedef struct output { int param, element; node value; } output;
 typedef struct kernel {
     char name[64];                                     /* without prefix: sh_eval_5 */
     char summary[160];                                 /* one line of comment */
-    param params[8];
+    param params[20];
     int param_count;
     node_data *nodes;
     int node_count, node_capacity;

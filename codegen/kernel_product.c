@@ -204,27 +204,20 @@ static void serve(product *p, pair pr) {
     else add_to(p, pr.q, symmetric(k, c_conj(k, form), c_conj(k, form2), p->f[pr.p], p->g[pr.p], 0));
 }
 
-static complex_node input(kernel *k, int from, element e) {
+static complex_node input(kernel *k, const node *f, element e) {
     complex_node w;
-    w.re = k_element(k, from, e.l * (e.l + 1) + e.m);
-    w.im = e.m ? k_element(k, from, e.l * (e.l + 1) - e.m) : k_const(k, 0);
+    w.re = f[e.l * (e.l + 1) + e.m];
+    w.im = e.m ? f[e.l * (e.l + 1) - e.m] : k_const(k, 0);
     return w;
 }
 
-static kernel *describe(int bands, int square) {
-    char name[64], summary[160];
+/* g is f itself for a square. */
+void product_nodes(kernel *k, int bands, const node *f, const node *g, node *out) {
     product *p = (product *)calloc(1, sizeof *p);
-    kernel *k;
-    int f, g, out, l, m, i;
     pair pr = { 0 };
+    int l, m, i;
     if (!p) { fprintf(stderr, "prt_codegen: out of memory\n"); exit(1); }
-    snprintf(name, sizeof name, square ? "sh_square_%d" : "sh_product_%d", bands);
-    snprintf(summary, sizeof summary, "%s, %d band%s", square ? "square" : "product", bands, bands == 1 ? "" : "s");
-    p->k = k = kernel_new(name, summary);
-    k->stores_last = 1;                                            /* out may be f or g */
-    f = g = kernel_param(k, "f", PARAM_INPUT, bands * bands);
-    if (!square) g = kernel_param(k, "g", PARAM_INPUT, bands * bands);
-    out = kernel_param(k, "out", PARAM_OUTPUT, bands * bands);
+    p->k = k;
     p->bands = bands;
     p->mean = k_const(k, 0);
     for (l = 0; l < bands; l++)
@@ -242,12 +235,91 @@ static kernel *describe(int bands, int square) {
     p->out[0].re = k_add(k, p->out[0].re, k_scale(k, x_sqrt(1 / (4 * x_pi())), p->mean));
     for (i = 0; i < p->element_count; i++) {
         element e = p->elements[i];
-        if (e.m) kernel_output(k, out, e.l * (e.l + 1) - e.m, p->out[i].im);
-        kernel_output(k, out, e.l * (e.l + 1) + e.m, p->out[i].re);
+        if (e.m) out[e.l * (e.l + 1) - e.m] = p->out[i].im;
+        out[e.l * (e.l + 1) + e.m] = p->out[i].re;
     }
     free(p);
+}
+
+/* Outputs in the order in which the elements are done */
+static void output_product(kernel *k, int bands, const node *value) {
+    int out = kernel_param(k, "out", PARAM_OUTPUT, bands * bands), l, m;
+    k->stores_last = 1;                                            /* out may be f or g */
+    for (l = 0; l < bands; l++)
+        for (m = 0; m <= l; m++) {
+            if (m) kernel_output(k, out, l * (l + 1) - m, value[l * (l + 1) - m]);
+            kernel_output(k, out, l * (l + 1) + m, value[l * (l + 1) + m]);
+        }
+}
+
+kernel *describe_sh_product(int bands) {
+    kernel *k = named_kernel("sh_product", "product", bands);
+    node f[MAX_BANDS * MAX_BANDS], g[MAX_BANDS * MAX_BANDS], out[MAX_BANDS * MAX_BANDS];
+    int pf = kernel_param(k, "f", PARAM_INPUT, bands * bands), pg = kernel_param(k, "g", PARAM_INPUT, bands * bands), l, m;
+    for (l = 0; l < bands; l++)                                    /* in the order of their use: operands are sorted by it */
+        for (m = 0; m <= l; m++) {
+            f[l * (l + 1) + m] = k_element(k, pf, l * (l + 1) + m);
+            f[l * (l + 1) - m] = k_element(k, pf, l * (l + 1) - m);
+            g[l * (l + 1) + m] = k_element(k, pg, l * (l + 1) + m);
+            g[l * (l + 1) - m] = k_element(k, pg, l * (l + 1) - m);
+        }
+    product_nodes(k, bands, f, g, out);
+    output_product(k, bands, out);
     return k;
 }
 
-kernel *describe_sh_product(int bands) { return describe(bands, 0); }
-kernel *describe_sh_square(int bands) { return describe(bands, 1); }
+kernel *describe_sh_square(int bands) {
+    kernel *k = named_kernel("sh_square", "square", bands);
+    node f[MAX_BANDS * MAX_BANDS], out[MAX_BANDS * MAX_BANDS];
+    int pf = kernel_param(k, "f", PARAM_INPUT, bands * bands), l, m;
+    for (l = 0; l < bands; l++)
+        for (m = 0; m <= l; m++) {
+            f[l * (l + 1) + m] = k_element(k, pf, l * (l + 1) + m);
+            f[l * (l + 1) - m] = k_element(k, pf, l * (l + 1) - m);
+        }
+    product_nodes(k, bands, f, f, out);
+    output_product(k, bands, out);
+    return k;
+}
+
+/* zonal[l] is the m = 0 coefficient of a function about +z */
+kernel *describe_sh_product_zonal(int bands) {
+    kernel *k = named_kernel("sh_product_zonal", "product with a zonal function", bands);
+    node f[MAX_BANDS * MAX_BANDS], g[MAX_BANDS * MAX_BANDS], zonal[MAX_BANDS], out[MAX_BANDS * MAX_BANDS];
+    int l, i;
+    input_nodes(k, "f", bands * bands, f);
+    input_nodes(k, "zonal", bands, zonal);
+    for (l = 0, i = 0; l < bands; l++)
+        for (; i < (l + 1) * (l + 1); i++) g[i] = i == l * (l + 1) ? zonal[l] : k_const(k, 0);
+    product_nodes(k, bands, f, g, out);
+    output_product(k, bands, out);
+    return k;
+}
+
+static void weigh_bands(kernel *k, int bands, const xreal *weight, node *f) {
+    int l, i;
+    for (l = 0, i = 0; l < bands; l++)
+        for (; i < (l + 1) * (l + 1); i++) f[i] = k_scale(k, weight[l], f[i]);
+}
+
+/* Windows as wide as the bands: Hann's on both factors [Chapter 2010], the positive one on the filter alone. */
+static kernel *describe_mask(const char *name, const char *what, int bands, int positive) {
+    kernel *k = named_kernel(name, what, bands);
+    node light[MAX_BANDS * MAX_BANDS], filter[MAX_BANDS * MAX_BANDS], out[MAX_BANDS * MAX_BANDS];
+    xreal weight[64];
+    window_weights(bands, positive, weight);
+    input_nodes(k, "light", bands * bands, light);
+    input_nodes(k, "filter", bands * bands, filter);
+    weigh_bands(k, bands, weight, filter);
+    if (!positive) weigh_bands(k, bands, weight, light);
+    product_nodes(k, bands, light, filter, out);
+    output_product(k, bands, out);
+    return k;
+}
+
+kernel *describe_sh_mask_hann(int bands) {
+    return describe_mask("sh_mask_hann", "light times filter, both under Hann's window", bands, 0);
+}
+kernel *describe_sh_mask_filter_positive(int bands) {
+    return describe_mask("sh_mask_filter_positive", "light times filter under the positive window", bands, 1);
+}

@@ -2,19 +2,8 @@
    functions of a band. prt.h itself computes the factors in double; these are for languages that have float alone. */
 #include "kernels.h"
 
-typedef struct axis { node x, y, z; } axis;
-
-static axis axis_param(kernel *k, const char *name) {
-    axis a;
-    int p = kernel_param(k, name, PARAM_DIRECTION, 3);
-    a.x = k_element(k, p, 0);
-    a.y = k_element(k, p, 1);
-    a.z = k_element(k, p, 2);
-    return a;
-}
-
 /* f_lm = factor_l Y_lm(a) */
-static void zonal_light(kernel *k, int bands, axis a, const node *factor) {
+static void zonal_light(kernel *k, int bands, vec a, const node *factor) {
     node y[64 * 64];
     int f = kernel_param(k, "f", PARAM_OUTPUT, bands * bands), l, m;
     sh_values(k, bands, a.x, a.y, a.z, y);
@@ -56,7 +45,7 @@ static void cap_factors(kernel *k, int bands, node sin2, node h, node rest, node
 
 kernel *describe_sh_delta(int bands) {
     kernel *k = named_kernel("sh_delta", "directional light of irradiance 1", bands);
-    axis a = axis_param(k, "dir");
+    vec a = vec_param(k, "dir");
     node one[64];
     int l;
     for (l = 0; l < bands; l++) one[l] = k_const(k, 1);
@@ -66,7 +55,7 @@ kernel *describe_sh_delta(int bands) {
 
 kernel *describe_sh_cone(int bands) {
     kernel *k = named_kernel("sh_cone", "1 within half_angle of axis", bands);
-    axis a = axis_param(k, "axis");
+    vec a = vec_param(k, "axis");
     node angle = k_scalar(k, kernel_param(k, "half_angle", PARAM_SCALAR, 0)), pi = k_const(k, x_pi());
     node rest = k_sub(k, angle, k_const(k, x_pi() / 2));                           /* > 0: wider than a hemisphere */
     node narrow = k_max(k, k_min(k, angle, k_sub(k, pi, angle)), k_const(k, 0));   /* float rounds pi up */
@@ -78,7 +67,7 @@ kernel *describe_sh_cone(int bands) {
 
 kernel *describe_sh_sphere(int bands) {
     kernel *k = named_kernel("sh_sphere", "1 where a sphere is seen", bands);
-    axis to = axis_param(k, "to_centre");
+    vec to = vec_param(k, "to_centre");
     node r = k_scalar(k, kernel_param(k, "radius", PARAM_SCALAR, 0)), zero = k_const(k, 0), one = k_const(k, 1), factor[64];
     node d2 = k_madd(k, to.x, to.x, k_madd(k, to.y, to.y, k_mul(k, to.z, to.z))), d = k_sqrt(k, d2);
     node inside = k_sub(k, r, d);                                                  /* > 0: inside, it is everywhere */
@@ -86,7 +75,7 @@ kernel *describe_sh_sphere(int bands) {
     node sin2 = k_select(k, zero, inside, zero, k_mul(k, s, s));
     node cosine = k_mul(k, k_sqrt(k, k_max(k, k_mul(k, k_sub(k, d, r), k_add(k, d, r)), zero)), over_d);
     node h = k_div(k, sin2, k_add(k, one, cosine));
-    axis a;
+    vec a;
     a.x = k_mul(k, to.x, over_d);
     a.y = k_mul(k, to.y, over_d);
     a.z = k_mul(k, to.z, over_d);
@@ -97,7 +86,7 @@ kernel *describe_sh_sphere(int bands) {
 
 kernel *describe_sh_cosine_lobe(int bands) {
     kernel *k = named_kernel("sh_cosine_lobe", "max(0, axis.w)", bands);
-    axis a = axis_param(k, "axis");
+    vec a = vec_param(k, "axis");
     node factor[64];
     int l;
     for (l = 0; l < bands; l++) factor[l] = k_const(k, cosine_factor(l));
@@ -107,7 +96,7 @@ kernel *describe_sh_cosine_lobe(int bands) {
 
 kernel *describe_sh_hemisphere(int bands) {
     kernel *k = named_kernel("sh_hemisphere", "above where up.w > 0, below elsewhere", bands);
-    axis a = axis_param(k, "up");
+    vec a = vec_param(k, "up");
     node above = k_scalar(k, kernel_param(k, "above", PARAM_SCALAR, 0));
     node below = k_scalar(k, kernel_param(k, "below", PARAM_SCALAR, 0)), factor[64];
     int l;
@@ -144,6 +133,19 @@ kernel *describe_sh_convolve(int bands) {
     return k;
 }
 
+/* zonal[l] is the m = 0 coefficient of a function about +z */
+kernel *describe_sh_zonal_to(int bands) {
+    kernel *k = named_kernel("sh_zonal_to", "zonal function turned to an axis", bands);
+    node zonal[64], factor[64];
+    vec a;
+    int l;
+    input_nodes(k, "zonal", bands, zonal);
+    a = vec_param(k, "axis");
+    for (l = 0; l < bands; l++) factor[l] = k_scale(k, x_sqrt(4 * x_pi() / (2 * l + 1)), zonal[l]);
+    zonal_light(k, bands, a, factor);
+    return k;
+}
+
 /* ---- windows of width = bands ---- */
 
 /* Taylor series, |v| <= pi: for constants alone */
@@ -154,10 +156,14 @@ static xreal x_cos(xreal v) {
     return sum;
 }
 
-kernel *describe_sh_window_hann(int bands) {
-    xreal weight[64];
+static void hann_weights(int bands, xreal *weight) {
     int l;
     for (l = 0; l < bands; l++) weight[l] = (1 + x_cos(x_pi() * l / bands)) / 2;
+}
+
+kernel *describe_sh_window_hann(int bands) {
+    xreal weight[64];
+    hann_weights(bands, weight);
     return scaled_bands("sh_window_hann", "Hann window as wide as the bands", bands, weight);
 }
 
@@ -230,10 +236,9 @@ static xreal integral(const polynomial *p) {
 
 /* The sharpest non-negative kernel of degree d = bands-1: [P_k+1(z)/(z-z*)]^2 for d = 2k, (1+z) [P^(0,1)_k+1(z)/(z-z*)]^2
    for d = 2k+1, where (1+z) P^(0,1)_k+1 is P_k+1 + P_k+2 up to a factor; weights are its Legendre moments over the 0th. */
-kernel *describe_sh_window_positive(int bands) {
+static void positive_weights(int bands, xreal *weight) {
     int d = bands - 1, k = d / 2, l, i;
     polynomial p = legendre(k + 1), kernel_of_z;
-    xreal weight[64];
     if (d & 1) {
         polynomial q = legendre(k + 2);
         for (i = 0; i <= k + 1; i++) q.c[i] += p.c[i];
@@ -250,5 +255,15 @@ kernel *describe_sh_window_positive(int bands) {
         moment = product(&moment, &kernel_of_z);
         weight[l] = integral(&moment) / integral(&kernel_of_z);
     }
+}
+
+kernel *describe_sh_window_positive(int bands) {
+    xreal weight[64];
+    positive_weights(bands, weight);
     return scaled_bands("sh_window_positive", "positive window as wide as the bands", bands, weight);
+}
+
+void window_weights(int bands, int positive, xreal *weight) {
+    if (positive) positive_weights(bands, weight);
+    else hann_weights(bands, weight);
 }

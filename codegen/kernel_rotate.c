@@ -59,10 +59,10 @@ static xreal swap_entry(int l, int m, int k) {
 
 typedef struct angle { node cos[LARGEST], sin[LARGEST]; } angle;       /* of m times the angle */
 
-static void multiples(kernel *k, int bands, int turn, int at, angle *x) {
+static void multiples(kernel *k, int bands, node cosine, node sine, angle *x) {
     int m;
-    x->cos[1] = k_element(k, turn, at);
-    x->sin[1] = k_element(k, turn, at + 1);
+    x->cos[1] = cosine;
+    x->sin[1] = sine;
     for (m = 2; m < bands; m++) {
         x->cos[m] = k_sub(k, k_mul(k, x->cos[1], x->cos[m - 1]), k_mul(k, x->sin[1], x->sin[m - 1]));
         x->sin[m] = k_add(k, k_mul(k, x->sin[1], x->cos[m - 1]), k_mul(k, x->cos[1], x->sin[m - 1]));
@@ -91,18 +91,19 @@ static void swap_yz(kernel *k, int l, node *f) {
 }
 
 /* Band 1 is R in the order y, z, x. */
-static void rotate_band_1(kernel *k, const node *r, const node *f, int out) {
+static void rotate_band_1(kernel *k, const node *r, node *f) {
     static const int axis[3] = { 1, 2, 0 };
+    node g[3];
     int i, j;
     for (i = 0; i < 3; i++) {
-        node sum = k_const(k, 0);
-        for (j = 0; j < 3; j++) sum = k_add(k, sum, k_mul(k, r[3 * axis[i] + axis[j]], f[j]));
-        kernel_output(k, out, 1 + i, sum);
+        g[i] = k_const(k, 0);
+        for (j = 0; j < 3; j++) g[i] = k_add(k, g[i], k_mul(k, r[3 * axis[i] + axis[j]], f[j]));
     }
+    for (i = 0; i < 3; i++) f[i] = g[i];
 }
 
 /* Band 2 alone, where the angles would not pay: the quadratic form x.A x without trace turns into R A R^T. */
-static void rotate_band_2(kernel *k, const node *r, const node *f, int out) {
+static void rotate_band_2(kernel *k, const node *r, node *f) {
     node third = k_scale(k, 1 / x_sqrt(3), f[2]), a[3][3], b[3][3], yy, zz;
     int i, j;
     a[0][0] = k_sub(k, f[4], third);
@@ -117,46 +118,110 @@ static void rotate_band_2(kernel *k, const node *r, const node *f, int out) {
 #define PART(i, j) k_madd(k, b[i][2], r[3 * j + 2], k_madd(k, b[i][1], r[3 * j + 1], k_mul(k, b[i][0], r[3 * j])))
     yy = PART(1, 1);
     zz = PART(2, 2);
-    kernel_output(k, out, 4, PART(0, 1));
-    kernel_output(k, out, 5, PART(1, 2));
-    kernel_output(k, out, 6, k_scale(k, x_sqrt(3) / 2, zz));
-    kernel_output(k, out, 7, PART(0, 2));
-    kernel_output(k, out, 8, k_neg(k, k_add(k, yy, k_scale(k, x_ratio(1, 2), zz))));
+    f[0] = PART(0, 1);
+    f[1] = PART(1, 2);
+    f[2] = k_scale(k, x_sqrt(3) / 2, zz);
+    f[3] = PART(0, 2);
+    f[4] = k_neg(k, k_add(k, yy, k_scale(k, x_ratio(1, 2), zz)));
 #undef PART
 }
 
-kernel *describe_sh_rotate(int bands) {
-    char name[64], summary[160];
-    kernel *k;
-    node r[9], f[LARGEST * LARGEST];
-    int pr, pturn, pf, out, i, l;
-    snprintf(name, sizeof name, "sh_rotate_%d", bands);
-    snprintf(summary, sizeof summary, "rotation of one vector, %d bands; turn: cos, sin of a, b, g", bands);
-    k = kernel_new(name, summary);
-    pr = kernel_param(k, "r", PARAM_INPUT, 9);
-    pturn = kernel_param(k, "turn", PARAM_INPUT, 6);
-    pf = kernel_param(k, "f", PARAM_INPUT, bands * bands);
-    out = kernel_param(k, "out", PARAM_OUTPUT, bands * bands);
-    for (i = 0; i < 9; i++) r[i] = k_element(k, pr, i);
-    for (i = 0; i < bands * bands; i++) f[i] = k_element(k, pf, i);
-    kernel_output(k, out, 0, f[0]);
-    rotate_band_1(k, r, f + 1, out);
-    if (bands == 3) rotate_band_2(k, r, f + 4, out);
-    if (bands > 3) {
-        angle a, b, g;
-        multiples(k, bands, pturn, 0, &a);
-        multiples(k, bands, pturn, 2, &b);
-        multiples(k, bands, pturn, 4, &g);
-        for (l = 2; l < bands; l++) {
-            node *band = f + l * l;
-            turn_z(k, l, &g, 1, band);
-            swap_yz(k, l, band);
-            turn_z(k, l, &b, -1, band);
-            swap_yz(k, l, band);
-            turn_z(k, l, &a, 1, band);
-            for (i = 0; i <= 2 * l; i++) kernel_output(k, out, l * l + i, band[i]);
-        }
+void rotate_nodes(kernel *k, int bands, const node *r, const node turn[6], node *f) {
+    angle a, b, g;
+    int l;
+    if (bands > 1) rotate_band_1(k, r, f + 1);
+    if (bands == 3) rotate_band_2(k, r, f + 4);
+    if (bands < 4) return;
+    multiples(k, bands, turn[0], turn[1], &a);
+    multiples(k, bands, turn[2], turn[3], &b);
+    multiples(k, bands, turn[4], turn[5], &g);
+    for (l = 2; l < bands; l++) {
+        node *band = f + l * l;
+        turn_z(k, l, &g, 1, band);
+        swap_yz(k, l, band);
+        turn_z(k, l, &b, -1, band);
+        swap_yz(k, l, band);
+        turn_z(k, l, &a, 1, band);
     }
+}
+
+kernel *describe_sh_rotate(int bands) {
+    kernel *k = named_kernel("sh_rotate", "rotation of one vector by r and by turn, cos and sin of a, b, g", bands);
+    node r[9], turn[6], f[LARGEST * LARGEST];
+    int pturn, i;
+    input_nodes(k, "r", 9, r);
+    pturn = kernel_param(k, "turn", PARAM_INPUT, 6);
+    input_nodes(k, "f", bands * bands, f);
+    for (i = 0; i < 6; i++) turn[i] = k_element(k, pturn, i);
+    rotate_nodes(k, bands, r, turn, f);
+    output_nodes(k, "out", bands * bands, f);
+    return k;
+}
+
+/* ---- for languages: everything from the matrix ---- */
+
+/* As in prt.h: the last row holds the phasor of g times sin b, the upper left corner that of a + g times 1 + cos b and that
+   of a - g times 1 - cos b, of which the larger serves. Where sin b = 0, g = 0. */
+void rotation_turn(kernel *k, const node r[9], node turn[6]) {
+    node zero = k_const(k, 0), one = k_const(k, 1), sine = k_sqrt(k, k_madd(k, r[6], r[6], k_mul(k, r[7], r[7])));
+    node side = k_select(k, r[8], zero, k_const(k, -1), one), over = k_div(k, one, k_add(k, one, k_mul(k, side, r[8])));
+    node x = k_mul(k, over, k_add(k, r[4], k_mul(k, side, r[0]))), y = k_mul(k, over, k_sub(k, r[3], k_mul(k, side, r[1])));
+    turn[4] = k_select(k, zero, sine, k_div(k, k_neg(k, r[6]), sine), one);
+    turn[5] = k_select(k, zero, sine, k_div(k, r[7], sine), zero);
+    turn[0] = k_madd(k, x, turn[4], k_mul(k, y, turn[5]));
+    turn[1] = k_mul(k, side, k_sub(k, k_mul(k, y, turn[4]), k_mul(k, x, turn[5])));
+    turn[2] = r[8];
+    turn[3] = sine;
+}
+
+kernel *describe_sh_turn(int bands) {
+    kernel *k = kernel_new("sh_turn", "cos, sin of a, b, g with R = Rz(a) Ry(b) Rz(g)");
+    node r[9], turn[6];
+    (void)bands;
+    input_nodes(k, "r", 9, r);
+    rotation_turn(k, r, turn);
+    output_nodes(k, "turn", 6, turn);
+    return k;
+}
+
+kernel *describe_sh_rotate_matrix(int bands) {
+    kernel *k = named_kernel("sh_rotate", "rotation of one vector by a matrix of determinant 1", bands);
+    node r[9], turn[6], f[LARGEST * LARGEST];
+    input_nodes(k, "r", 9, r);
+    input_nodes(k, "f", bands * bands, f);
+    rotation_turn(k, r, turn);
+    rotate_nodes(k, bands, r, turn, f);
+    output_nodes(k, "out", bands * bands, f);
+    return k;
+}
+
+kernel *describe_sh_rotate_z(int bands) {
+    kernel *k = named_kernel("sh_rotate_z", "rotation of one vector about z", bands);
+    node angle_ = real_param(k, "angle"), f[LARGEST * LARGEST];
+    angle x;
+    int l;
+    input_nodes(k, "f", bands * bands, f);
+    multiples(k, bands, k_cos(k, angle_), k_sin(k, angle_), &x);
+    for (l = 1; l < bands; l++) turn_z(k, l, &x, 1, f + l * l);
+    output_nodes(k, "out", bands * bands, f);
+    return k;
+}
+
+kernel *describe_rotation_from_quaternion(int bands) {
+    kernel *k = kernel_new("rotation_from_quaternion", "the matrix of a quaternion w, x, y, z of any length but 0");
+    node q[4], r[9], one = k_const(k, 1), s;
+    int i;
+    (void)bands;
+    input_nodes(k, "q", 4, q);
+    s = k_div(k, k_const(k, 2), k_madd(k, q[0], q[0], k_madd(k, q[1], q[1], k_madd(k, q[2], q[2], k_mul(k, q[3], q[3])))));
+    for (i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, h = (i + 2) % 3;
+        node u = q[1 + j], v = q[1 + h];
+        r[3 * i + i] = k_sub(k, one, k_mul(k, s, k_madd(k, u, u, k_mul(k, v, v))));
+        r[3 * i + j] = k_mul(k, s, k_sub(k, k_mul(k, q[1 + i], u), k_mul(k, q[0], v)));
+        r[3 * j + i] = k_mul(k, s, k_add(k, k_mul(k, q[1 + i], u), k_mul(k, q[0], v)));
+    }
+    output_nodes(k, "r", 9, r);
     return k;
 }
 

@@ -291,7 +291,7 @@ DIALECT(metal_half, "metal", METAL_PREAMBLE, "", signature_metal_half, "const ha
 static const signature signature_wgsl = WGSL_SIGNATURE("f32");
 static const signature signature_wgsl_half = WGSL_SIGNATURE("f16");
 DIALECT(wgsl, "wgsl", "", "", signature_wgsl, "let %s: f32 = ", WGSL_SELECT, "", store_wgsl, "vec3<f32>(%s, %s, %s)")
-DIALECT(wgsl_half, "wgsl", "enable f16;\n", "", signature_wgsl_half, "let %s: f16 = ", WGSL_SELECT, "", store_wgsl, "vec3<f16>(%s, %s, %s)")
+DIALECT(wgsl_half, "wgsl", "enable f16;\n", "", signature_wgsl_half, "let %s: f16 = ", WGSL_SELECT, "h", store_wgsl, "vec3<f16>(%s, %s, %s)")
 
 const dialect *find_dialect(const char *language, precision p) {
     static const dialect *const all[][PRECISIONS] = {

@@ -124,7 +124,7 @@ static int print_table(FILE *to, const request *r) {
 
 static int check_bands(const family *f, int first, int last) {
     char range[96];
-    if (first >= f->min_bands && last <= f->max_bands && first <= last) return 0;
+    if ((f->max_bands == 0 || (first >= f->min_bands && last <= f->max_bands)) && first <= last) return 0;
     snprintf(range, sizeof range, "%s at %d to %d bands", f->name, first, last);
     return fail("no such kernel", range, "prt_codegen --list names the bands");
 }
@@ -147,9 +147,11 @@ static int print_fence(FILE *to, const request *r) {
 
 /* One function, named as in prt.h; with its bands where there are several */
 static void print_function(FILE *to, const dialect *d, const request *r, const family *f, int bands) {
-    kernel *k = f->describe(bands);
+    kernel *k;
     char name[160];
-    if (r->first_bands == r->last_bands) snprintf(name, sizeof name, "%s%s", r->prefix, f->name);
+    if (f->max_bands == 0 && bands > r->first_bands) return;       /* the same for all bands: once */
+    k = f->describe(bands);
+    if (r->first_bands == r->last_bands || f->max_bands == 0) snprintf(name, sizeof name, "%s%s", r->prefix, f->name);
     else snprintf(name, sizeof name, "%s%s_%d", r->prefix, f->name, bands);
     print_kernel(to, d, k, name);
     kernel_free(k);
@@ -177,7 +179,8 @@ static int print_language(FILE *to, const request *r) {
     print_preamble(to, d, r);
     if (!strcmp(r->emit, "all")) {
         for (i = 0; i < family_count; i++)
-            if (families[i].forms & FORM_TEXT && r->first_bands >= families[i].min_bands && r->last_bands <= families[i].max_bands)
+            if (families[i].forms & FORM_TEXT && (families[i].max_bands == 0 ||
+                (r->first_bands >= families[i].min_bands && r->last_bands <= families[i].max_bands)))
                 for (bands = r->first_bands; bands <= r->last_bands; bands++) print_function(to, d, r, &families[i], bands);
         return 0;
     }

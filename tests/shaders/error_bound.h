@@ -60,7 +60,7 @@ typedef struct arithmetic { double eps, constant, trig, tiny; } arithmetic;
    they have. */
 static void bound_kernel(const kernel *k, const double *inputs, arithmetic with, bounded *outputs) {
     bounded *v = (bounded *)calloc((size_t)k->node_count, sizeof *v);
-    int first[8], first_out[8], i, in = 0, out = 0;
+    int first[20], first_out[20], i, in = 0, out = 0;
     for (i = 0; i < k->param_count; i++) {
         int count = k->params[i].count ? k->params[i].count : 1;
         int is_output = k->params[i].kind == PARAM_OUTPUT || k->params[i].kind == PARAM_RESULT;
