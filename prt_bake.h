@@ -295,8 +295,8 @@ PRTDEF prt_result prt_fiv_distances(int count, prt_real nearest, prt_real farthe
      FIV = sum of L v over the texels whose centre the object hides,  v = int w dw over the texel,
    v in closed form, half the integral of r x dr around the texel: half the sum of arc times normal over its edges. Rays
    start from where the receiver sees the object at (theta_i, phi_j, rho_k) and go through the texels whose centres lie
-   inside the cone around the bounding sphere, no other: about c = texels (1 - sqrt(1 - (R/rho)^2))/2 of them, all where
-   rho <= R. Where c < rays a texel gets s^2 rays through the centres of its parts, s = ceil(sqrt(rays/c)) up to 16, of
+   inside the cone around the bounding sphere, no other, and through none that is black: under a full sky about
+   c = texels (1 - sqrt(1 - (R/rho)^2))/2 of them, all where rho <= R. Where c < rays a texel gets s^2 rays through the centres of its parts, s = ceil(sqrt(rays/c)) up to 16, of
    which again only those inside the cone are traced, and its share of hits instead of all or nothing: far places are
    then as good as near ones. What a ray hits at any distance hides.
    The bits of a sample depend on desc and its index alone. Errors, in this order, before anything is written:
@@ -1662,6 +1662,12 @@ PRT__INLINE int prt__fiv_meets(const prt__fiv_look *look, const prt__tile *t) {
     return look->cosine < -1 || t->cosine <= -look->cosine || prt__ddot(look->axis, t->axis) >= both - 1e-6;
 }
 
+/* A cell without light changes nothing, whoever hides it. */
+PRT__INLINE int prt__fiv_dark(const prt_fiv *v) {
+    return v->r.x == 0 && v->r.y == 0 && v->r.z == 0 && v->g.x == 0 && v->g.y == 0 && v->g.z == 0 &&
+           v->b.x == 0 && v->b.y == 0 && v->b.z == 0;
+}
+
 PRT__STATIC prt_result prt__fiv_sample(prt__fiv_bake *b, int index) {
     prt__fiv_look look;
     prt_result r = PRT_OK;
@@ -1671,6 +1677,7 @@ PRT__STATIC prt_result prt__fiv_sample(prt__fiv_bake *b, int index) {
         const prt__tile *tile = &b->sky.tile[t];
         if (!prt__fiv_meets(&look, tile)) continue;
         for (k = tile->first; r == PRT_OK && k < tile->first + tile->count; k++) {
+            if (prt__fiv_dark(&b->sky.vectors[k])) continue;
             if (look.split == 1) r = prt__fiv_trace(b, &look, k, b->sky.dir[k]);
             else if ((double)prt__dot3(b->sky.dir[k], look.toward) >= look.near - 1e-6) r = prt__fiv_trace_parts(b, &look, k);
         }
