@@ -101,7 +101,8 @@ kernel *describe_fiv_taken(int bands) {
     return k;
 }
 
-/* lens/(area 1 + area 2) of the discs of radius 2 sin(a/2) as far apart as the chord between the centres */
+/* lens/(area 1 + area 2) of the discs of radius 2 sin(a/2) as far apart as the chord between the centres. Heron's root is
+   four times the triangle of the centres and a crossing; there is none where one disc contains the other. */
 kernel *describe_fiv_overlap(int bands) {
     kernel *k = kernel_new("fiv_overlap", "share of two occluders' discs that lies in both");
     node zero = k_const(k, 0), one = k_const(k, 1), disc2[2], disc[2], areas, d2, d, heron, root, lens, contained;

@@ -61,15 +61,24 @@ kernel *describe_vo_pass(int bands) {
     return k;
 }
 
+/* Share of the smaller of two discs behind the other: PRT__LENS_STEP of prt.h */
+static node lens_step(kernel *k, node u, node ratio) {
+    node one = k_const(k, 1), two = k_const(k, 2), square = k_mul(k, u, u), rest = k_sub(k, one, k_mul(k, two, u));
+    node outer = k_scale(k, x_ratio(1, 5), k_mul(k, rest, k_sub(k, one, ratio)));
+    node inner = k_scale(k, x_ratio(7, 5), k_mul(k, square, ratio));
+    node correction = k_mul(k, k_mul(k, u, k_sub(k, one, u)), k_sub(k, outer, inner));
+    return k_madd(k, square, k_sub(k, k_const(k, 3), k_mul(k, two, u)), correction);
+}
+
 /* strength: 2 sin(light_angle/2), N_c, sin^2 c0 */
 kernel *describe_vo_pass_cap(int bands) {
     kernel *k = kernel_new("vo_pass_cap", "the same under PRT_VO_CAP, a cap before a light of some width");
-    node zero = k_const(k, 0), one = k_const(k, 1), two = k_const(k, 2), three = k_const(k, 3);
+    node zero = k_const(k, 0), one = k_const(k, 1);
     vec position = vec_param(k, "position"), normal = vec_param(k, "normal"), light = vec_param(k, "light");
     vec strength = vec_param(k, "strength"), occlusion = vec_param(k, "occlusion"), caustic = vec_param(k, "caustic");
     vec transmissive = vec_param(k, "transmissive"), l = towards(k, position, light), dir, apart;
     node factor = above0(k, real_param(k, "form_factor")), caustic_factor = real_param(k, "caustic_factor"), length;
-    node cosine, sin2, cap, least, u, area, open;
+    node cosine, sin2, cap, least, u, share, open;
     (void)bands;
     dir = vec_direction(k, occlusion, &length);
     cosine = vec_dot(k, normal, dir);
@@ -79,8 +88,8 @@ kernel *describe_vo_pass_cap(int bands) {
     least = k_min(k, cap, strength.x);
     u = k_div(k, k_sub(k, k_add(k, cap, strength.x), vec_length(k, apart)), k_scale(k, 2, least));
     u = k_max(k, k_min(k, u, one), zero);
-    area = k_min(k, k_div(k, cap, strength.x), one);
-    open = k_sub(k, one, k_mul(k, k_mul(k, k_mul(k, area, area), k_mul(k, u, u)), k_sub(k, three, k_mul(k, two, u))));
+    share = k_div(k, least, strength.x);
+    open = k_sub(k, one, k_mul(k, k_mul(k, share, share), lens_step(k, u, k_div(k, least, k_max(k, cap, strength.x)))));
     open = k_select(k, zero, k_min(k, k_min(k, length, factor), least), open, one);
     vec_result(k, passed(k, open, caustic, caustic_factor, strength.y, strength.z, transmissive, l));
     return k;

@@ -2267,7 +2267,7 @@ float3 prt_vo_pass(float3 position, float3 light, float3 strength, float3 occlus
     return float3(transmissive.x * t20 + t32 * (1.0f - transmissive.x), transmissive.y * t20 + t32 * (1.0f - transmissive.y), transmissive.z * t20 + t32 * (1.0f - transmissive.z));
 }
 
-// the same under PRT_VO_CAP, a cap before a light of some width: 50 multiplications, 35 additions (22 can fuse), 7 divisions, 6 square roots, 19 others, 3 stores
+// the same under PRT_VO_CAP, a cap before a light of some width: 56 multiplications, 40 additions (23 can fuse), 8 divisions, 6 square roots, 19 others, 3 stores
 float3 prt_vo_pass_cap(float3 position, float3 normal, float3 light, float3 strength, float3 occlusion, 
     float3 caustic, float3 transmissive, float form_factor, float caustic_factor) {
     float t1 = (caustic.z * caustic.z + caustic.y * caustic.y) + caustic.x * caustic.x;
@@ -2306,9 +2306,13 @@ float3 prt_vo_pass_cap(float3 position, float3 normal, float3 light, float3 stre
     float t34 = t27 - t14;
     float t35 = (strength.x + t30) - sqrt((t32 * t32 + t33 * t33) + t34 * t34);
     float t36 = max(0.0f, min(1.0f, t35 / (2.0f * t31)));
-    float t37 = min(1.0f, t30 / strength.x);
-    float t38 = 0.0f < min(t31, min(t21, t23)) ? (1.0f - (3.0f - 2.0f * t36) * ((t36 * t36) * (t37 * t37))) : 1.0f;
-    return float3(transmissive.x * t20 + t38 * (1.0f - transmissive.x), transmissive.y * t20 + t38 * (1.0f - transmissive.y), transmissive.z * t20 + t38 * (1.0f - transmissive.z));
+    float t37 = 2.0f * t36;
+    float t38 = t31 / max(strength.x, t30);
+    float t39 = t36 * t36;
+    float t40 = (0.2f * ((1.0f - t37) * (1.0f - t38)) - 1.4f * (t38 * t39)) * (t36 * (1.0f - t36));
+    float t41 = t31 / strength.x;
+    float t42 = 0.0f < min(t31, min(t21, t23)) ? (1.0f - (t40 + t39 * (3.0f - t37)) * (t41 * t41)) : 1.0f;
+    return float3(transmissive.x * t20 + t42 * (1.0f - transmissive.x), transmissive.y * t20 + t42 * (1.0f - transmissive.y), transmissive.z * t20 + t42 * (1.0f - transmissive.z));
 }
 
 // light that one occluder sends on to the point: 84 multiplications, 48 additions (39 can fuse), 4 divisions, 4 square roots, 15 others, 3 stores

@@ -2266,7 +2266,7 @@ fn prt_vo_pass(position: vec3<f32>, light: vec3<f32>, strength: vec3<f32>, occlu
     return vec3<f32>(transmissive.x * t20 + t32 * (1.0 - transmissive.x), transmissive.y * t20 + t32 * (1.0 - transmissive.y), transmissive.z * t20 + t32 * (1.0 - transmissive.z));
 }
 
-// the same under PRT_VO_CAP, a cap before a light of some width: 50 multiplications, 35 additions (22 can fuse), 7 divisions, 6 square roots, 19 others, 3 stores
+// the same under PRT_VO_CAP, a cap before a light of some width: 56 multiplications, 40 additions (23 can fuse), 8 divisions, 6 square roots, 19 others, 3 stores
 fn prt_vo_pass_cap(position: vec3<f32>, normal: vec3<f32>, light: vec3<f32>, strength: vec3<f32>, 
     occlusion: vec3<f32>, caustic: vec3<f32>, transmissive: vec3<f32>, form_factor: f32, caustic_factor: f32) -> vec3<f32> {
     let t1: f32 = (caustic.z * caustic.z + caustic.y * caustic.y) + caustic.x * caustic.x;
@@ -2305,9 +2305,13 @@ fn prt_vo_pass_cap(position: vec3<f32>, normal: vec3<f32>, light: vec3<f32>, str
     let t34: f32 = t27 - t14;
     let t35: f32 = (strength.x + t30) - sqrt((t32 * t32 + t33 * t33) + t34 * t34);
     let t36: f32 = max(0.0, min(1.0, t35 / (2.0 * t31)));
-    let t37: f32 = min(1.0, t30 / strength.x);
-    let t38: f32 = select(1.0, (1.0 - (3.0 - 2.0 * t36) * ((t36 * t36) * (t37 * t37))), 0.0 < min(t31, min(t21, t23)));
-    return vec3<f32>(transmissive.x * t20 + t38 * (1.0 - transmissive.x), transmissive.y * t20 + t38 * (1.0 - transmissive.y), transmissive.z * t20 + t38 * (1.0 - transmissive.z));
+    let t37: f32 = 2.0 * t36;
+    let t38: f32 = t31 / max(strength.x, t30);
+    let t39: f32 = t36 * t36;
+    let t40: f32 = (0.2 * ((1.0 - t37) * (1.0 - t38)) - 1.4 * (t38 * t39)) * (t36 * (1.0 - t36));
+    let t41: f32 = t31 / strength.x;
+    let t42: f32 = select(1.0, (1.0 - (t40 + t39 * (3.0 - t37)) * (t41 * t41)), 0.0 < min(t31, min(t21, t23)));
+    return vec3<f32>(transmissive.x * t20 + t42 * (1.0 - transmissive.x), transmissive.y * t20 + t42 * (1.0 - transmissive.y), transmissive.z * t20 + t42 * (1.0 - transmissive.z));
 }
 
 // light that one occluder sends on to the point: 84 multiplications, 48 additions (39 can fuse), 4 divisions, 4 square roots, 15 others, 3 stores

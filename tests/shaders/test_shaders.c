@@ -72,18 +72,26 @@ static void fiv_taken(const double *in, double *out) {
     out[0] = total.r - left.r; out[1] = total.g - left.g; out[2] = total.b - left.b;
 }
 
+/* Two circles of radius 2 sin(a/2), centres a chord apart, by the textbook's formula */
 static double fiv_overlap(const double *in) {
-    prt__fiv_seen seen[2];
-    prt_fiv_hidden h;
-    double total[3] = { 0, 0, 0 };
+    double r[2], d2 = 0, d, area, lens;
+    prt_vec3 to[2];
     int i;
-    memset(&h, 0, sizeof h);
     for (i = 0; i < 2; i++) {
-        h.to_centre = vec3_of(in + 4 * i);
-        h.radius = in[4 * i + 3];
-        prt__fiv_see(total, prt__vec3(0, 0, 1), &h, 0, &seen[i]);
+        const double *v = in + 4 * i;
+        double distance = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]), sine = v[3] < distance ? v[3] / distance : 1;
+        r[i] = 2 * sin(asin(sine) / 2);
+        to[i] = distance > 0 ? prt__vec3(v[0] / distance, v[1] / distance, v[2] / distance) : prt__vec3(0, 1, 0);
     }
-    return prt__fiv_lens(&seen[0], &seen[1]);
+    d2 = (to[0].x - to[1].x) * (to[0].x - to[1].x) + (to[0].y - to[1].y) * (to[0].y - to[1].y) + (to[0].z - to[1].z) * (to[0].z - to[1].z);
+    d = sqrt(d2);
+    area = r[0] * r[0] + r[1] * r[1];
+    if (d >= r[0] + r[1] || area <= 0) return 0;
+    if (d <= fabs(r[0] - r[1])) return fmin(r[0] * r[0], r[1] * r[1]) / area;
+    lens = r[0] * r[0] * acos(fmax(-1, fmin(1, (d2 + r[0] * r[0] - r[1] * r[1]) / (2 * d * r[0])))) +
+           r[1] * r[1] * acos(fmax(-1, fmin(1, (d2 + r[1] * r[1] - r[0] * r[0]) / (2 * d * r[1])))) -
+           sqrt(fmax(0, (r[0] + r[1] - d) * (r[0] + r[1] + d) * (d + r[0] - r[1]) * (d - r[0] + r[1]))) / 2;
+    return lens / (PRT__PI * area);
 }
 
 static void fiv_self(const double *in, double *out) {
