@@ -438,15 +438,17 @@ PRTDEF size_t     prt_sh_rotation_count(int bands);
    Cost: about 10 multiply-adds an entry, and 7l square roots a band. blocks must not overlap rotation. */
 PRTDEF prt_result prt_sh_rotation   (int bands, const prt_real rotation[9], prt_real *blocks);
 
-/* out = blocks f for one vector f[bands^2]; out may be f. Cost: prt_sh_rotation_count multiply-adds. */
+/* out = blocks f for one vector f[bands^2]; out may be f. Cost: prt_sh_rotation_count multiply-adds, four at a time:
+   7 ns at 4 bands, 16 to 20 ns at 6 (float, Zen 5 at 4 GHz). */
 PRTDEF prt_result prt_sh_rotate_by  (int bands, const prt_real *blocks, const prt_real *f, prt_real *out);
 
 /* out = blocks f for many vectors; out may be f, and overlap it in no other way. Each vector gets the same bits
    whatever the count and its place. Layouts: _n [count][bands^2], vector after vector (a coloured light in three
    planes is three vectors); _n_rgb [count][bands^2][3], red, green and blue of each coefficient side by side; _soa
    coefficient i of vector k at [i*stride + k], stride >= count. Cost: prt_sh_rotation_count multiply-adds a vector
-   (three times that for _n_rgb), done in SIMD across vectors: at 4 bands an array beyond the caches is turned at about
-   the speed at which it can be copied (AVX2 and wider; half of that with SSE2 alone). */
+   (three times that for _n_rgb), done in SIMD across vectors; _soa, which transposes nothing, does 0.65 to 0.8 of the
+   multiply-adds that the machine can. At 4 bands arrays beyond the caches are turned at 0.7 of the rate of memcpy and
+   more, SSE2 at 0.4 (_n_rgb), 0.5 (_soa) and 0.7 (_n): prt_bench, jobs rotate_by_n and rotate_stream. */
 PRTDEF prt_result prt_sh_rotate_by_n(int bands, const prt_real *blocks, int count, const prt_real *f, prt_real *out);
 PRTDEF prt_result prt_sh_rotate_by_n_rgb(int bands, const prt_real *blocks, int count, const prt_real *f,
                                          prt_real *out);
@@ -462,8 +464,9 @@ PRTDEF prt_result prt_sh_rotate_by_soa(int bands, const prt_real *blocks, int co
    band above; 1000 turns by 2 pi/1000 about x, y or z at 6 bands come back within 1.2e-4 in float, which is the
    rounding of R and of the constants taken 1000 times. Cost: 9 55 122 224 358 528 738 multiplications and about 0.6
    times as many additions for 2 to 8 bands, most of them four at a time, one root, two divisions; 0.4 to 0.85 times
-   the time of DirectXMath's XMSHRotate at 3 to 6 bands. Above 8 bands the swap is computed on the way, about l^2
-   divisions a band: for several vectors prt_sh_rotation and prt_sh_rotate_by_n are faster. */
+   the time of DirectXMath's XMSHRotate at 3 to 6 bands. Above 8 bands the swap is computed on the way, in double, about
+   16 l^2 operations a band without a root or division: 0.22, 1.5 and 41 us at 9, 16 and 64 bands (AVX-512; 0.35, 3.3
+   and 167 us with SSE2), a seventh of what building the blocks takes. */
 PRTDEF prt_result prt_sh_rotate     (int bands, const prt_real rotation[9], const prt_real *f, prt_real *out);
 
 /* The same about z by an angle in radians (finite, else PRT_ERR_VALUE), from +x towards +y. out may be f.
@@ -3389,9 +3392,6 @@ PRT__STATIC void prt__turn_z(int bands, double c, double s, const prt_real *f, p
 }
 
 enum { PRT__ROTATE_KERNELS = 8 };
-typedef void prt__rotate_kernel(const prt_real *r, const prt_real *turn, const prt_real *f, prt_real *PRT__RESTRICT out);
-static prt__rotate_kernel prt__sh_rotate_2, prt__sh_rotate_3, prt__sh_rotate_4, prt__sh_rotate_5, prt__sh_rotate_6,
-                          prt__sh_rotate_7, prt__sh_rotate_8;
 
 /* The same in SIMD, four coefficients at once. */
 #if PRT__QUADS
@@ -3553,7 +3553,6 @@ PRT__INLINE int prt__axes_ok(const prt__axes *c) {
 /* Band 1: R (x y z) in the order y, z, x. */
 PRT__INLINE void prt__rotate_band_1(const prt__axes *c, const prt_real *f, prt_real *out) {
     prt__quad v = c->x * f[3] + c->y * f[1] + c->z * f[2];
-    out[0] = f[0];
     out[1] = v[1];
     out[2] = v[2];
     out[3] = v[0];
@@ -3629,7 +3628,8 @@ PRT__INLINE prt_result prt__rotate_quads(int bands, const prt_real *r, const prt
     const prt_real *proper = r;
     prt_real minus[9];
     if (!prt__axes_ok(&c)) return PRT_ERR_ROTATION;
-    prt__rotate_band_1(&c, f, out);
+    out[0] = f[0];
+    if (bands > 1) prt__rotate_band_1(&c, f, out);
     if (bands == 3 || bands == 4) prt__rotate_band_2(&c, r, f, out);
     if (bands == 4) prt__rotate_band_3(&c, r, f, out);
     if (bands > 4) {
@@ -3643,53 +3643,203 @@ PRT__INLINE prt_result prt__rotate_quads(int bands, const prt_real *r, const prt
     PRT__STATIC prt_result prt__rotate_quads_##bands(const prt_real *r, const prt_real *f, prt_real *out) { \
         return prt__rotate_quads(bands, r, f, out); \
     }
-PRT__ROTATE_QUADS(2) PRT__ROTATE_QUADS(3) PRT__ROTATE_QUADS(4) PRT__ROTATE_QUADS(5) PRT__ROTATE_QUADS(6)
-PRT__ROTATE_QUADS(7) PRT__ROTATE_QUADS(8)
+PRT__ROTATE_QUADS(1) PRT__ROTATE_QUADS(2) PRT__ROTATE_QUADS(3) PRT__ROTATE_QUADS(4)
+PRT__ROTATE_QUADS(5) PRT__ROTATE_QUADS(6) PRT__ROTATE_QUADS(7) PRT__ROTATE_QUADS(8)
 #undef PRT__ROTATE_QUADS
 static prt_result (*const prt__rotate_quads_of[])(const prt_real *r, const prt_real *f, prt_real *out) = {
-    prt__rotate_quads_2, prt__rotate_quads_3, prt__rotate_quads_4, prt__rotate_quads_5, prt__rotate_quads_6,
-    prt__rotate_quads_7, prt__rotate_quads_8
+    prt__rotate_quads_1, prt__rotate_quads_2, prt__rotate_quads_3, prt__rotate_quads_4,
+    prt__rotate_quads_5, prt__rotate_quads_6, prt__rotate_quads_7, prt__rotate_quads_8
 };
-#endif
-
+#else
+typedef void prt__rotate_kernel(const prt_real *r, const prt_real *turn, const prt_real *f, prt_real *PRT__RESTRICT out);
+static prt__rotate_kernel prt__sh_rotate_2, prt__sh_rotate_3, prt__sh_rotate_4, prt__sh_rotate_5, prt__sh_rotate_6,
+                          prt__sh_rotate_7, prt__sh_rotate_8;
 static prt__rotate_kernel *const prt__rotate_kernels[PRT__ROTATE_KERNELS - 1] = {
     prt__sh_rotate_2, prt__sh_rotate_3, prt__sh_rotate_4, prt__sh_rotate_5, prt__sh_rotate_6, prt__sh_rotate_7,
     prt__sh_rotate_8
 };
 
-/* Any number of bands, the swap computed on the way. */
-PRT__STATIC void prt__rotate_any(int bands, const prt_real *turn, const prt_real *f, prt_real *out) {
-    prt__turn_z(bands, (double)turn[4], (double)turn[5], f, out);
-    prt__sh_swap_yz(bands, out);
-    prt__turn_z(bands, (double)turn[2], -(double)turn[3], out, out);
-    prt__sh_swap_yz(bands, out);
-    prt__turn_z(bands, (double)turn[0], (double)turn[1], out, out);
-}
-
-/* Where there is no SIMD, and above PRT__ROTATE_KERNELS bands. */
 PRT__STATIC prt_result prt__rotate_plain(int bands, const prt_real *r, const prt_real *f, prt_real *out) {
     prt_real copy[PRT__ROTATE_KERNELS * PRT__ROTATE_KERNELS], minus[9], turn[8];
     const prt_real *proper = r;
     if (!prt__rotation_ok(r)) return PRT_ERR_ROTATION;
     if (bands > 3 && prt__determinant(r) < 0) proper = prt__negated(r, minus);
     if (bands > 3) prt__euler(proper, turn);
-    if (bands > PRT__ROTATE_KERNELS) prt__rotate_any(bands, turn, f, out);
-    else {
-        memcpy(copy, f, (size_t)PRT_SH_COUNT(bands) * sizeof *f);           /* so that out may be f */
-        if (bands == 1) out[0] = f[0];
-        else prt__rotate_kernels[bands - 2](proper, turn, copy, out);
-    }
+    memcpy(copy, f, (size_t)PRT_SH_COUNT(bands) * sizeof *f);               /* so that out may be f */
+    if (bands == 1) out[0] = f[0];
+    else prt__rotate_kernels[bands - 2](proper, turn, copy, out);
     if (proper == minus) prt__negate_odd_bands(1, bands, out);
     return PRT_OK;
 }
+#endif
+
+/* ---- above PRT__ROTATE_KERNELS bands ---- */
+
+/* One band in double, cosine and sine of order m at [m], up to a whole vector: what lies beyond order l is 0. */
+enum { PRT__BAND_ROOM = PRT_MAX_BANDS + PRT__WIDE_LANES };
+typedef struct prt__band { double c[PRT__BAND_ROOM], s[PRT__BAND_ROOM]; } prt__band;
+
+PRT__STATIC void prt__band_load(int l, const prt_real *f, prt__band *b) {
+    int m;
+    for (m = 0; m <= l; m++) {
+        b->c[m] = (double)f[PRT_SH_INDEX(l, m)];
+        b->s[m] = (double)f[PRT_SH_INDEX(l, -m)];
+    }
+    b->s[0] = 0;
+    for (; m % PRT__WIDE_LANES; m++) b->c[m] = b->s[m] = 0;
+}
+
+PRT__STATIC void prt__band_store(int l, const prt__band *b, prt_real *f) {
+    int m;
+    for (m = 0; m <= l; m++) {
+        f[PRT_SH_INDEX(l, -m)] = (prt_real)b->s[m];
+        f[PRT_SH_INDEX(l, m)] = (prt_real)b->c[m];
+    }
+}
+
+/* What prt__sh_swap_yz_band does to the last digit, here faster and within 2e-15.
+   Swapping y and z takes order k of band l to order m with the factor w(k) w(m) D(k,m): D is Wigner's d(pi/2)
+   [Trapani 2006], w = sqrt 2, but 1 for order 0, with a sign of period four. Cosines come from even l + k, sines from
+   odd; they take cosines at even l + m, sines at odd. D(l,m) = 2^-l sqrt(binomial(2l, l+m)), and then down in k
+     c(k) D(k,m) = 2m D(k+1,m) - c(k+1) D(k+2,m),   c(k) = sqrt((l-k) (l+k+1)),
+   which grows until it oscillates, and so is stable. Each m starts at `start`, which keeps it in range for any l, and
+   what it should have started at comes last. */
+typedef struct prt__swap {
+    double start, over[PRT__BAND_ROOM], ratio[PRT__BAND_ROOM];             /* 2/c(k), c(k+1)/c(k) */
+    double from[PRT__BAND_ROOM], to[PRT__BAND_ROOM];                       /* w(k), w(m) D(l,m) / start */
+} prt__swap;
+
+PRT__STATIC void prt__swap_prepare(int l, prt__swap *t) {
+    static const double sign[2][4] = { { 1, -1, -1, 1 }, { 1, 1, -1, -1 } };
+    double top = 1;
+    int k;
+    t->start = l < 512 ? 1 : ldexp(1, -(l / 2));
+    for (k = 1; k <= l; k++) top *= prt__root(2 * k - 1) * prt__inverse_root(2 * k);
+    top /= t->start;
+    for (k = 0; k <= l; k++) {
+        double near_l = prt__inverse_root(l + k + 1);
+        t->over[k] = 2 * near_l * prt__inverse_root(l - k);
+        t->ratio[k] = 0.5 * t->over[k] * (k < l ? prt__root(l - k - 1) * prt__root(l + k + 2) : 0);
+        t->from[k] = sign[l & 1][k & 3] * (k ? PRT__SQRT2 : 1);
+        t->to[k] = top * t->from[k];
+        top *= near_l * prt__root(l - k);
+    }
+    for (; k % PRT__WIDE_LANES; k++) t->to[k] = 0;
+}
+
+/* The step down to k. */
+PRT__INLINE void prt__swap_step(const prt__swap *t, int k, prt__wide order, prt__wide *d, prt__wide *before) {
+    prt__wide next = *d * (order * t->over[k]) - *before * t->ratio[k];
+    *before = *d;
+    *d = next;
+}
+
+/* What order k gives to the orders m, which take turns in taking its cosine and its sine. */
+enum { PRT__SWAP_LANES = PRT__WIDE_LANES > 1 ? PRT__WIDE_LANES : 2 };
+typedef double prt__swap_source[PRT__BAND_ROOM][PRT__SWAP_LANES];
+
+PRT__INLINE void prt__swap_sources(int l, const prt__swap *t, const prt__band *b, prt__swap_source in) {
+    static const double turns[10] = { 1, 0, 1, 0, 1, 0, 1, 0, 1, 0 };
+    int k, m;
+    for (k = 0; k <= l; k++)
+        for (m = 0; m < PRT__SWAP_LANES; m += PRT__WIDE_LANES)
+            prt__wide_store(in[k] + m, prt__wide_load(turns + ((l + m) & 1)) * (t->from[k] * b->c[k])
+                                     + prt__wide_load(turns + ((l + m + 1) & 1)) * (t->from[k] * b->s[k]));
+}
+
+/* Orders m and following from all orders k; in: at m. */
+PRT__INLINE void prt__swap_orders(int l, int m, const prt__swap *t, prt__swap_source in, prt__band *b) {
+    double order[PRT__WIDE_LANES], start[PRT__WIDE_LANES];
+    prt__wide orders, d, before, cosine, sine;
+    int k, at = m % PRT__SWAP_LANES;
+    for (k = 0; k < PRT__WIDE_LANES; k++) {
+        order[k] = m + k;
+        start[k] = m + k <= l ? t->start : 0;
+    }
+    orders = prt__wide_load(order);
+    d = prt__wide_load(start);
+    before = cosine = sine = d - d;
+    for (k = l; k > 0; k -= 2) {
+        cosine += d * prt__wide_load(in[k] + at);
+        prt__swap_step(t, k - 1, orders, &d, &before);
+        sine += d * prt__wide_load(in[k - 1] + at);
+        if (k > 1) prt__swap_step(t, k - 2, orders, &d, &before);
+    }
+    if (k == 0) cosine += d * prt__wide_load(in[0] + at);
+    prt__wide_store(b->c + m, cosine * prt__wide_load(t->to + m));
+    prt__wide_store(b->s + m, sine * prt__wide_load(t->to + m));
+}
+
+/* y and z swapped, in place. */
+PRT__STATIC void prt__band_swap_yz(int l, const prt__swap *t, prt__band *b) {
+    prt__swap_source in;
+    int m;
+    prt__swap_sources(l, t, b, in);
+    for (m = 0; m <= l; m += PRT__WIDE_LANES) prt__swap_orders(l, m, t, in, b);
+    b->s[0] = 0;
+}
+
+/* Cosine and sine of the multiples of an angle, as a band; the phasor need only be near the unit circle. */
+PRT__STATIC void prt__multiples_of(int bands, double c, double s, prt__band *turn) {
+    double unit = 1 / sqrt(c * c + s * s);
+    int m;
+    c *= unit;
+    s *= unit;
+    turn->c[0] = 1;
+    turn->s[0] = 0;
+    for (m = 1; m < bands; m++) {
+        turn->c[m] = turn->c[m - 1] * c - turn->s[m - 1] * s;
+        turn->s[m] = turn->s[m - 1] * c + turn->c[m - 1] * s;
+    }
+    for (; m % PRT__WIDE_LANES; m++) turn->c[m] = turn->s[m] = 0;
+}
+
+PRT__STATIC void prt__band_turn(int l, const prt__band *turn, prt__band *b) {
+    int m;
+    for (m = 0; m <= l; m += PRT__WIDE_LANES) {
+        prt__wide c = prt__wide_load(b->c + m), s = prt__wide_load(b->s + m);
+        prt__wide ct = prt__wide_load(turn->c + m), st = prt__wide_load(turn->s + m);
+        prt__wide_store(b->c + m, ct * c - st * s);
+        prt__wide_store(b->s + m, ct * s + st * c);
+    }
+}
+
+/* Bands first ... bands-1, in double and with the swap computed on the way. */
+PRT__STATIC void prt__rotate_far(int first, int bands, const prt_real *r, const prt_real *f, prt_real *out) {
+    prt_real minus[9], turn[8];
+    const prt_real *proper = prt__determinant(r) < 0 ? prt__negated(r, minus) : r;
+    prt__band a, b, g, v;
+    prt__swap t;
+    int l;
+    prt__euler(proper, turn);
+    prt__multiples_of(bands, (double)turn[0], (double)turn[1], &a);
+    prt__multiples_of(bands, (double)turn[2], -(double)turn[3], &b);
+    prt__multiples_of(bands, (double)turn[4], (double)turn[5], &g);
+    for (l = first; l < bands; l++) {
+        prt__swap_prepare(l, &t);
+        prt__band_load(l, f, &v);
+        prt__band_turn(l, &g, &v);
+        prt__band_swap_yz(l, &t, &v);
+        prt__band_turn(l, &b, &v);
+        prt__band_swap_yz(l, &t, &v);
+        prt__band_turn(l, &a, &v);
+        prt__band_store(l, &v, out);
+    }
+    if (proper == minus) prt__negate_odd_bands(first | 1, bands, out);
+}
 
 PRTDEF prt_result prt_sh_rotate(int bands, const prt_real rotation[9], const prt_real *f, prt_real *out) {
+    int low = bands < PRT__ROTATE_KERNELS ? bands : PRT__ROTATE_KERNELS;
+    prt_result result;
     if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
     if (!rotation || !f || !out) return PRT_ERR_NULL;
 #if PRT__QUADS
-    if (bands > 1 && bands <= PRT__ROTATE_KERNELS) return prt__rotate_quads_of[bands - 2](rotation, f, out);
+    result = prt__rotate_quads_of[low - 1](rotation, f, out);
+#else
+    result = prt__rotate_plain(low, rotation, f, out);
 #endif
-    return prt__rotate_plain(bands, rotation, f, out);
+    if (result == PRT_OK && bands > low) prt__rotate_far(low, bands, rotation, f, out);
+    return result;
 }
 
 PRTDEF prt_result prt_sh_rotate_z(int bands, prt_real angle, const prt_real *f, prt_real *out) {
@@ -14947,6 +15097,7 @@ PRT__INLINE void prt__row_product_6_v(const prt__vec *w, const prt__vec *v, prt_
 
 /* END GENERATED */
 
+#if !PRT__QUADS
 /* BEGIN GENERATED: prt_codegen --lang c --emit sh_rotate --bands 2-8 */
 /* rotation of one vector by r and by turn, cos and sin of a, b, g, 2 bands: 9 multiplications, 6 additions (6 can fuse), 13 loads, 4 stores */
 PRT__STATIC void prt__sh_rotate_2(const prt_real *r, const prt_real *turn, const prt_real *f, 
@@ -16302,8 +16453,7 @@ PRT__STATIC void prt__sh_rotate_8(const prt_real *r, const prt_real *turn, const
 }
 
 /* END GENERATED */
-
-#if PRT__QUADS
+#else
 /* BEGIN GENERATED: prt_codegen --table swap_yz */
 /* y and z swapped in bands 2 and 3 */
 PRT__INLINE void prt__swap_yz_3(prt__classes *v) {
