@@ -46,10 +46,9 @@ static void on_interrupt(int number) {
 }
 
 typedef struct options {
-    const char *out, *keep, *mesh, *environment;
+    const char *out, *keep, *mesh, *up, *environment;
     int        rays, size, paths, directions, threads;
     double     fineness;
-    mesh_up    up;
 } options;
 
 /* Lights in groups: set k of the lights around the scene is groups 0 ... k, at 1/light_counts[k] of their colour. */
@@ -923,7 +922,7 @@ static int plot_lights(const study *d, why *w) {
     p.across = q.across = "point lights";
     p.up = "ns a vertex";
     q.up = "RMSE, % of the mean";
-    p.more = q.more = "set logscale xy\nset xtics (1,2,4,8,16,32)";
+    p.more = q.more = "set logscale xy\nset xtics (1,2,4,8,16,32)\nset xrange [1:32]";
     p.places = q.places = SETS;
     p.series = 5;
     q.series = 8;
@@ -949,7 +948,7 @@ static int make_directory(const char *parent, const char *name, why *w) {
 
 static int prepare(study *d, why *w) {
     camera eye = camera_orbit(vec(0, 0, 0.35), 7.0, -1.25, 0.55, 0.55), low = camera_orbit(vec(0.2, 0, 0.2), 6.2, -1.25, 0.7, 0.5);
-    camera at_statue = camera_orbit(vec(0, 0, 0.55), 6.6, -1.3, 0.35, 0.5);
+    camera at_statue = camera_orbit(vec(0, 0, 0.5), 5.8, -1.3, 0.35, 0.5);
     if (make_directory(d->o.out, "", w) || make_directory(d->o.out, "gallery", w) || make_directory(d->o.out, "plots", w) ||
         make_directory(d->o.keep, "", w) || image_load_environment(d->o.environment, &d->sky, w)) return -1;
     if (scene_shapes(d->o.fineness, &d->shapes.shining, w) || scene_ball(d->o.fineness, &d->ball.shining, w) ||
@@ -978,14 +977,14 @@ static int parse(int count, char **words, options *o, why *w) {
     o->paths = 32;
     o->directions = 64;
     o->fineness = 1;
-    o->up = MESH_Z_UP;
+    o->up = "-x";
     o->threads = processor_count();
     for (i = 1; i + 1 < count; i += 2) {
         const char *word = words[i], *value = words[i + 1];
         if (strcmp(word, "--out") == 0) o->out = value;
         else if (strcmp(word, "--keep") == 0) o->keep = value;
         else if (strcmp(word, "--mesh") == 0) o->mesh = value;
-        else if (strcmp(word, "--up") == 0 && (*value == 'y' || *value == 'z')) o->up = *value == 'y' ? MESH_Y_UP : MESH_Z_UP;
+        else if (strcmp(word, "--up") == 0) o->up = value;
         else if (strcmp(word, "--environment") == 0) o->environment = value;
         else if (strcmp(word, "--rays") == 0) o->rays = atoi(value);
         else if (strcmp(word, "--size") == 0) o->size = atoi(value);
@@ -995,9 +994,9 @@ static int parse(int count, char **words, options *o, why *w) {
         else if (strcmp(word, "--threads") == 0) o->threads = atoi(value);
         else break;
     }
-    if (i < count || o->rays < 1 || o->rays > 1000000 || o->size < 16 || o->size > 2048 || o->paths < 1 || o->paths > 65536 ||
+    if (i < count || strlen(o->up) != 2 || !strchr("+-", o->up[0]) || !strchr("xyz", o->up[1]) || o->rays < 1 || o->rays > 1000000 || o->size < 16 || o->size > 2048 || o->paths < 1 || o->paths > 65536 ||
         o->directions < 1 || o->directions > 4096 || !(o->fineness >= 0.1 && o->fineness <= 10) || o->threads < 1 || o->threads > 256)
-        return why_set(w, "usage: vo_compare [--out DIR] [--keep DIR] [--mesh FILE] [--up y|z] [--environment FILE.hdr] [--rays N] [--size 16...2048] "
+        return why_set(w, "usage: vo_compare [--out DIR] [--keep DIR] [--mesh FILE] [--up +x|-x|...|-z] [--environment FILE.hdr] [--rays N] [--size 16...2048] "
                           "[--paths N] [--directions N] [--fineness 0.1...10] [--threads N]");
     return 0;
 }

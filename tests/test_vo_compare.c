@@ -296,7 +296,15 @@ static void shapes_are_well_made(void **state) {
         assert_int_equal(scene_part_of_point(&s, s.parts[k].first_point - 1), k - 1);
     }
     scene_free(&s);
-    assert_int_equal(scene_statue("nowhere.obj", MESH_Z_UP, 4, &s, &w), -1);
+    for (k = 0; k < 6; k++) {                              /* a turn: the axis goes to +z, lengths and handedness stay */
+        const char up[3] = { "+-"[k % 2], "xyz"[k / 2], 0 };
+        double sign = k % 2 ? -1 : 1;
+        prt_vec3 axis = vec(k / 2 == 0 ? sign : 0, k / 2 == 1 ? sign : 0, k / 2 == 2 ? sign : 0);
+        prt_vec3 a = turn_upright(vec(1, 0, 0), up), b = turn_upright(vec(0, 1, 0), up), c3 = turn_upright(vec(0, 0, 1), up);
+        assert_near(turn_upright(axis, up).z, 1, 0);
+        assert_near(vec_dot(cross(a, b), c3), 1, 0);
+    }
+    assert_int_equal(scene_statue("nowhere.obj", "+z", 4, &s, &w), -1);
 }
 
 int main(void) {

@@ -20,7 +20,7 @@ f 1 2 4
 f 2 3 4
 f 1 4 3
 END
-small=(--mesh quad.obj --up y --fineness 0.2 --size 16 --rays 16 --paths 1 --directions 2 --threads 2)
+small=(--mesh quad.obj --up +y --fineness 0.2 --size 16 --rays 16 --paths 1 --directions 2 --threads 2)
 
 bad() {
     local pattern=$1; shift
@@ -31,6 +31,7 @@ bad() {
 bad usage --rays 0
 bad usage --rays
 bad usage --nonsense 1
+bad usage --up w
 bad 'nowhere.obj' --mesh nowhere.obj
 bad 'nowhere.hdr' --environment nowhere.hdr
 bad 'cannot be made a directory' --out quad.obj/out

@@ -284,22 +284,30 @@ int scene_ball(double fineness, scene *s, why *w) {
     return finish(&b, s, w);
 }
 
-/* The file's triangles, their lowest point on the platform, its longest extent over it `size`. */
-static void add_mesh(builder *b, const mesh *m, double size) {
+/* Turns the axis that points upwards to +z. */
+static prt_vec3 turn_upright(prt_vec3 v, const char *up) {
+    double x = (double)v.x, y = (double)v.y, z = (double)v.z;
+    if (*up == '-') return up[1] == 'x' ? vec(z, y, -x) : up[1] == 'y' ? vec(x, z, -y) : vec(x, -y, -z);
+    return up[1] == 'x' ? vec(y, z, x) : up[1] == 'y' ? vec(z, x, y) : v;
+}
+
+/* The file's triangles, their lowest point on the platform. */
+static void add_mesh(builder *b, const mesh *m, const char *up) {
     double low = 1e30;
     int base = b->point_count, i;
-    for (i = 0; i < m->point_count; i++) if ((double)m->points[i].position.z < low) low = (double)m->points[i].position.z;
     for (i = 0; i < m->point_count; i++) {
-        const prt_vec3 *p = &m->points[i].position;
-        add_position(b, vec(size * (double)p->x, size * (double)p->y, size * ((double)p->z - low)));
+        prt_vec3 p = turn_upright(m->points[i].position, up);
+        if ((double)p.z < low) low = (double)p.z;
+        add_position(b, p);
     }
+    for (i = base; i < b->point_count && !b->failed; i++) b->positions[i].z -= (prt_real)low;
     for (i = 0; i < m->triangle_count; i++) {
         const uint32_t *v = m->triangles + 3 * (size_t)i;
         add_triangle(b, base + (int)v[0], base + (int)v[1], base + (int)v[2]);
     }
 }
 
-int scene_statue(const char *path, mesh_up up, int cells, scene *s, why *w) {
+int scene_statue(const char *path, const char *up, int cells, scene *s, why *w) {
     static const struct { ball where; double r, g, b; const char *name; } balls[] = {
         { { { -1.25, -0.55, 0.28 }, 0.28 }, 0.80, 0.10, 0.08, "red ball" },
         { { { 1.15, -0.70, 0.22 }, 0.22 }, 0.15, 0.60, 0.15, "green ball" },
@@ -311,8 +319,8 @@ int scene_statue(const char *path, mesh_up up, int cells, scene *s, why *w) {
     size_t k;
     memset(&b, 0, sizeof b);
     memset(s, 0, sizeof *s);
-    if (mesh_load(path, up, &statue, w) || mesh_fit_unit_sphere(&statue, w)) return -1;
-    add_mesh(&b, &statue, 1.0);
+    if (mesh_load(path, MESH_Z_UP, &statue, w) || mesh_fit_unit_sphere(&statue, w)) return -1;
+    add_mesh(&b, &statue, up);
     mesh_free(&statue);
     end_part(s, &b, "statue", matter(0.7, 0.68, 0.62, 0.15, 24));
     for (k = 0; k < sizeof balls / sizeof *balls; k++) {

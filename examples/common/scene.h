@@ -36,8 +36,9 @@ int  scene_shapes(double fineness, scene *s, why *w);
 /* A small white ball over a wide platform: what lengthens a shadow. */
 int  scene_ball(double fineness, scene *s, why *w);
 
-/* A mesh of a file, standing on a platform of `strips` x `strips` squares; with four coloured balls around it. */
-int  scene_statue(const char *path, mesh_up up, int strips, scene *s, why *w);
+/* A mesh of a file, standing on a platform of `strips` x `strips` squares; with four coloured balls around it. up: which
+   axis of the file points upwards, "+x", "-x", "+y" ... */
+int  scene_statue(const char *path, const char *up, int strips, scene *s, why *w);
 
 void scene_free(scene *s);
 
