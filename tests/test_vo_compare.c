@@ -13,6 +13,7 @@
 #include "../examples/common/why.c"
 #include "../examples/common/parallel.c"
 #include "../examples/common/scene.c"
+#include "../examples/common/photons.c"
 #include "../examples/common/path_reference.c"
 #include "../examples/common/similarity.c"
 #include "../examples/common/point_lights.c"
@@ -170,6 +171,42 @@ static void glossy_lobe(void **state) {
     scene_free(&s);
 }
 
+/* Through a ball of index 1 light goes straight on: behind it a plane gets T c cos, as if the ball were a filter. */
+static void photons_keep_the_lights_colour(void **state) {
+    const ball lens = { { 0, 0, 1 }, 0.5 };
+    const quad plane = { { -2, -2, 0 }, { 4, 0, 0 }, { 0, 4, 0 } };
+    material filter = matter(0, 0, 0, 0, 1);
+    prt_point_light light;
+    prt_tracer tracer;
+    photon_map map;
+    prt_rgb sum = { 0, 0, 0 };
+    builder b;
+    scene s;
+    why w;
+    (void)state;
+    memset(&b, 0, sizeof b);
+    memset(&s, 0, sizeof s);
+    filter.transmissive = rgb(0.5, 0.25, 1);
+    add_ball(&b, 1, 24, 12, &lens);
+    end_part(&s, &b, "filter", filter);
+    add_sheet(&b, 1, 1, 0, quad_form, &plane);
+    end_part(&s, &b, "plane", matter(1, 1, 1, 0, 1));
+    assert_int_equal(finish(&b, &s, &w), 0);
+    tracer.user = &s; tracer.occluded = brute_occluded; tracer.closest = brute_closest;
+    light.position = vec(0, 0, 3); light.color = rgb(1, 2, 3);
+    assert_int_equal(photon_map_make(&s, &tracer, 1, &light, 4096, 0.3, 1, &map, &w), 0);
+    photon_map_add(&map, vec(0.1, 0, 0), vec(0, 0, 1), NULL, &sum);                /* some 400 photons of the set: 2 % and less */
+    assert_near(sum.r, 0.5, 0.02);
+    assert_near(sum.g, 0.5, 0.02);
+    assert_near(sum.b, 3.0, 0.12);
+    sum = rgb(0, 0, 0);
+    photon_map_add(&map, vec(1.5, 0, 0), vec(0, 0, 1), NULL, &sum);
+    photon_map_add(&map, vec(0.1, 0, 0), vec(0, 0, -1), NULL, &sum);
+    assert_near(sum.b, 0, 0);
+    photon_map_free(&map);
+    scene_free(&s);
+}
+
 static void refraction_follows_snell(void **state) {
     material glass;
     prt_vec3 in, out, normal;
@@ -182,11 +219,11 @@ static void refraction_follows_snell(void **state) {
     for (k = 1; k < 89; k += 8) {
         double a = k * pi / 180;
         in = vec(sin(a), 0, -cos(a));
-        s = surface_of(&glass, vec(0, 0, 0), normal, in, 0);
+        s = surface_of(&glass, vec(0, 0, 0), vec(0, 0, 0), normal, in, 0);
         out = refract_at(&s);
         assert_near(out.x, sin(a) / 1.5, BY_PRECISION(1e-6, 1e-12));
         assert_true(out.z < 0);
-        s = surface_of(&glass, vec(0, 0, 0), normal, vec((double)in.x, 0, cos(a)), 1);
+        s = surface_of(&glass, vec(0, 0, 0), vec(0, 0, 0), normal, vec((double)in.x, 0, cos(a)), 1);
         out = refract_at(&s);
         if (1.5 * sin(a) < 1) assert_near(out.x, 1.5 * sin(a), BY_PRECISION(2e-6, 1e-12));
         else assert_near(out.z, -cos(a), BY_PRECISION(1e-6, 1e-12));                   /* total reflection */
@@ -310,6 +347,7 @@ static void shapes_are_well_made(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(integrating_sphere), cmocka_unit_test(glossy_lobe), cmocka_unit_test(refraction_follows_snell),
+        cmocka_unit_test(photons_keep_the_lights_colour),
         cmocka_unit_test(similarity_in_closed_form), cmocka_unit_test(cut_keeps_energy_and_finds_the_sun),
         cmocka_unit_test(shapes_are_well_made)
     };

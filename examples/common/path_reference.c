@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "parallel.h"
+#include "photons.h"
 #include "replacement.h"
 #include "transfer_file.h"
 #include "vector.h"
@@ -24,11 +25,13 @@ static double random_next(random_stream *r) {                     /* SplitMix64 
 /* ---- surfaces ---- */
 
 /* A place with its normal turned towards whence it is seen, along `towards`. */
-typedef struct surface { prt_vec3 position, normal, towards, mirrored; const material *m; int inside; } surface;
+typedef struct surface { prt_vec3 position, flat, normal, towards, mirrored; const material *m; int inside; } surface;
 
-static surface surface_of(const material *m, prt_vec3 position, prt_vec3 normal, prt_vec3 towards, int inside) {
+/* flat: where rays start that go through, or that come from inside. */
+static surface surface_of(const material *m, prt_vec3 position, prt_vec3 flat, prt_vec3 normal, prt_vec3 towards, int inside) {
     surface s;
     s.position = position;
+    s.flat = flat;
     s.normal = inside ? vec(-(double)normal.x, -(double)normal.y, -(double)normal.z) : normal;
     s.towards = towards;
     s.mirrored = vec_reflect(towards, s.normal);
@@ -53,25 +56,8 @@ static prt_rgb response(const surface *s, prt_vec3 dir) {
                cosine * (double)s->m->diffuse.b + shine * (double)s->m->specular.b);
 }
 
-/* Unit vectors about an axis: z along it, from a vector about +z. */
-static prt_vec3 turn_to(prt_vec3 axis, prt_vec3 v) {
-    double sign = axis.z < 0 ? -1 : 1, a = -1 / (sign + (double)axis.z), b = (double)axis.x * (double)axis.y * a;
-    prt_vec3 t = vec(1 + sign * (double)axis.x * (double)axis.x * a, sign * b, -sign * (double)axis.x);
-    prt_vec3 o = vec(b, sign + (double)axis.y * (double)axis.y * a, -(double)axis.y);    /* [Duff 2017] */
-    prt_vec3 out = vec(0, 0, 0);
-    out = vec_add(out, v.x, t);
-    out = vec_add(out, v.y, o);
-    return vec_unit(vec_add(out, v.z, axis), axis);
-}
-
-/* Snell's law; the mirror direction where light is reflected totally. */
 static prt_vec3 refract_at(const surface *s) {
-    double ratio = s->inside ? (double)s->m->index : 1 / (double)s->m->index;
-    double cosine = -vec_dot(s->towards, s->normal), squared = 1 - ratio * ratio * (1 - cosine * cosine);
-    prt_vec3 out = vec(0, 0, 0);
-    if (squared < 0) return s->mirrored;
-    out = vec_add(out, (prt_real)ratio, s->towards);
-    return vec_unit(vec_add(out, (prt_real)(ratio * cosine - sqrt(squared)), s->normal), s->towards);
+    return refracted(s->towards, s->normal, s->inside ? (double)s->m->index : 1 / (double)s->m->index);
 }
 
 /* The next direction of a path: u, v choose it within a lobe that `select` chooses; *weight is BRDF times cosine over
@@ -102,7 +88,8 @@ static int scatter(const surface *s, double select, prt_real u, prt_real v, prt_
 
 static prt_ray leave(const path_reference *r, const surface *s, prt_vec3 dir, double length) {
     prt_ray ray;
-    ray.origin = vec_add(s->position, vec_dot(s->normal, dir) > 0 ? r->bias : -r->bias, s->normal);
+    int back = vec_dot(s->normal, dir) > 0;
+    ray.origin = vec_add(back && !s->inside ? s->position : s->flat, back ? r->bias : -r->bias, s->normal);
     ray.dir = dir;
     ray.tmin = 0;
     ray.tmax = (prt_real)length;
@@ -115,6 +102,7 @@ typedef struct light_path { surface at; prt_rgb weight; random_stream random; } 
 
 typedef struct worker {
     path_reference *r;
+    const photon_map *caustics;        /* of the half that is at work */
     int            in_group[PATH_GROUPS], group_start[PATH_GROUPS + 1], by_group[PATH_LIGHTS];
     light_path           *paths;             /* [samples] */
     prt_ray        *rays;              /* [most] */
@@ -159,6 +147,21 @@ static int direct_light(worker *k, const surface *s, prt_rgb *sum) {
     return add_unblocked(k, count, 1, sum);
 }
 
+/* Adds the light of caustics that leaves s, weighted, to sum[group]. */
+static void add_caustics(const worker *k, const surface *s, prt_rgb weight, prt_rgb *sum) {
+    prt_rgb light[PATH_GROUPS];
+    int g;
+    if (k->caustics->count == 0 || s->inside) return;
+    memset(light, 0, sizeof light);
+    photon_map_add(k->caustics, s->position, s->normal, k->r->group, light);
+    weight = rgb_times(weight, s->m->diffuse);
+    for (g = 0; g < k->r->group_count; g++) {
+        sum[g].r += weight.r * light[g].r;
+        sum[g].g += weight.g * light[g].g;
+        sum[g].b += weight.b * light[g].b;
+    }
+}
+
 /* Starts the paths of one half; their first directions are a low-discrepancy set. */
 static int start_paths(worker *k, const surface *s, int query, int half) {
     const path_reference *r = k->r;
@@ -191,7 +194,8 @@ static int arrive(worker *k, int alive) {
         at = scene_place(r->scene, h);
         inside = vec_dot(h->normal, k->rays[i].dir) > 0;
         k->paths[left] = k->paths[i];
-        k->paths[left++].at = surface_of(&r->scene->parts[h->object].material, at.position, at.normal, k->rays[i].dir, inside);
+        k->paths[left++].at = surface_of(&r->scene->parts[h->object].material, at.position, scene_place_flat(r->scene, h), at.normal,
+                                        k->rays[i].dir, inside);
     }
     return left;
 }
@@ -202,6 +206,7 @@ static int light_paths(worker *k, int alive, prt_rgb *sum) {
     int i, g, count = 0;
     for (i = 0; i < alive; i++) {
         light_path *p = &k->paths[i];
+        add_caustics(k, &p->at, rgb_scale(p->weight, 1.0 / r->samples), sum);
         for (g = 0; g < r->group_count; g++) {
             int n = k->in_group[g], chosen = (int)(random_next(&p->random) * n);
             if (n) count = aim_at_light(k, &p->at, k->by_group[k->group_start[g] + chosen], rgb_scale(p->weight, n), count);
@@ -238,12 +243,14 @@ static int shade_query(worker *k, int query) {
     int half, g, bounce, alive;
     memset(direct, 0, sizeof direct);
     if (q->part >= 0) {
-        s = surface_of(&r->scene->parts[q->part].material, q->position, q->normal, q->towards, 0);
+        s = surface_of(&r->scene->parts[q->part].material, q->position, q->position, q->normal, q->towards, 0);
         if (direct_light(k, &s, direct)) return -1;
     }
     for (half = 0; half < PATH_HALVES; half++) {
         prt_rgb sum[PATH_GROUPS];
         memcpy(sum, direct, sizeof sum);
+        k->caustics = &r->caustics[half];
+        if (q->part >= 0) add_caustics(k, &s, rgb(1, 1, 1), sum);
         alive = q->part >= 0 ? start_paths(k, &s, query, half) : 0;
         for (bounce = 1; alive > 0 && bounce <= r->depth; bounce++) {
             alive = arrive(k, alive);
@@ -305,11 +312,9 @@ static int shade_queries(void *user, void *own, int first, int count) {
     return 0;
 }
 
-int path_reference_trace(path_reference *r, why *w) {
+static int trace_queries(path_reference *r, why *w) {
     parallel job;
     int failed;
-    if (r->group_count < 1 || r->group_count > PATH_GROUPS || r->light_count < 0 || r->light_count > PATH_LIGHTS)
-        return why_set(w, "the reference takes 1 to %d groups of at most %d lights in all", PATH_GROUPS, PATH_LIGHTS);
     memset(&job, 0, sizeof job);
     job.count = r->query_count - r->done;
     job.chunk = 64;
@@ -327,6 +332,20 @@ int path_reference_trace(path_reference *r, why *w) {
     return failed;
 }
 
+int path_reference_trace(path_reference *r, why *w) {
+    double disc = 0.015 * (double)r->scene->mesh.report.radius;
+    int half, failed = 0;
+    if (r->group_count < 1 || r->group_count > PATH_GROUPS || r->light_count < 0 || r->light_count > PATH_LIGHTS)
+        return why_set(w, "the reference takes 1 to %d groups of at most %d lights in all", PATH_GROUPS, PATH_LIGHTS);
+    memset(r->caustics, 0, sizeof r->caustics);
+    for (half = 0; half < PATH_HALVES && !failed; half++)
+        failed = photon_map_make(r->scene, r->tracer, r->light_count, r->lights, r->photons, disc, r->seed * PATH_HALVES + (uint64_t)half,
+                                 &r->caustics[half], w);
+    if (!failed) failed = trace_queries(r, w);
+    for (half = 0; half < PATH_HALVES; half++) photon_map_free(&r->caustics[half]);
+    return failed;
+}
+
 /* ---- the file of what is finished ---- */
 
 typedef struct kept { char magic[8]; uint64_t job; int32_t done, real_size; } kept;
@@ -339,6 +358,7 @@ static uint64_t job_of(const path_reference *r) {
     uint64_t h = mesh_hash(&r->scene->mesh);
     int k;
     h = hash(h, counts, sizeof counts);
+    if (r->photons) h = hash(h, &r->photons, sizeof r->photons);
     h = hash(h, &r->bias, sizeof r->bias);
     h = hash(h, &r->seed, sizeof r->seed);
     h = hash(h, r->lights, (size_t)r->light_count * sizeof *r->lights);

@@ -1,11 +1,12 @@
 /* path_reference: light at points of a scene by path tracing: point lights with shadows, diffuse and glossy
-   interreflection of many bounces, refraction through transmissive parts. Each value comes in two independent halves:
-   their mean is the result, their difference tells its noise. */
+   interreflection of many bounces, refraction through transmissive parts, their caustics by photons. Each value comes in
+   two independent halves: their mean is the result, their difference tells its noise. */
 #ifndef EXAMPLES_PATH_REFERENCE_H
 #define EXAMPLES_PATH_REFERENCE_H
 
 #include <signal.h>
 
+#include "photons.h"
 #include "scene.h"
 
 /* A place to shade, as seen along `towards` (a unit vector from the eye to the place). part < 0: nothing there. */
@@ -22,6 +23,8 @@ typedef struct path_reference {
     int                   group_count;
     int                   samples;     /* paths for each query and half; 0: direct light alone */
     int                   depth;       /* bounces, 1: light that was reflected once on its way; at most */
+    int                   photons;     /* from each light to each transmissive part, in each half; 0: no caustics. Their density
+                                          is taken over discs of .015 of the scene's radius; surfaces answer diffusely */
     prt_real              bias;
     uint64_t              seed;
     int                   threads;
@@ -30,6 +33,7 @@ typedef struct path_reference {
     int                   query_count;
     const path_query      *queries;
     prt_rgb               *out[PATH_HALVES];     /* [query_count][group_count] */
+    photon_map            caustics[PATH_HALVES];           /* while it runs */
     int                   done;        /* in: queries that need no work; out: queries that are finished, from the first on */
 } path_reference;
 

@@ -284,6 +284,29 @@ int scene_ball(double fineness, scene *s, why *w) {
     return finish(&b, s, w);
 }
 
+static material glass(double r, double g, double blue) {
+    material m = matter(0.04, 0.04, 0.04, 0, 1);
+    m.transmissive = rgb(r, g, blue);
+    m.index = (prt_real)1.5;
+    return m;
+}
+
+int scene_glass(double fineness, scene *s, why *w) {
+    const ball clear = { { -0.55, -0.1, 0.65 }, 0.5 }, red = { { 0.75, 0.3, 0.5 }, 0.38 }, white = { { 0.35, -0.85, 0.3 }, 0.3 };
+    builder b;
+    memset(&b, 0, sizeof b);
+    memset(s, 0, sizeof *s);
+    add_ball(&b, fineness, 48, 24, &clear);
+    end_part(s, &b, "clear ball", glass(0.9, 0.9, 0.9));
+    add_ball(&b, fineness, 48, 24, &red);
+    end_part(s, &b, "red ball", glass(0.85, 0.1, 0.08));
+    add_ball(&b, fineness, 36, 18, &white);
+    end_part(s, &b, "white ball", matter(0.8, 0.8, 0.8, 0, 1));
+    add_platform(&b, strips(fineness, 110), 2.1, 0.15);
+    end_part(s, &b, "platform", matter(0.65, 0.65, 0.65, 0, 1));
+    return finish(&b, s, w);
+}
+
 /* Turns the axis that points upwards to +z. */
 static prt_vec3 turn_upright(prt_vec3 v, const char *up) {
     double x = (double)v.x, y = (double)v.y, z = (double)v.z;
@@ -364,25 +387,38 @@ int scene_trace_with(const scene *s, embree_tracer *t, why *w) {
 
 int scene_triangle(const scene *s, const prt_hit *hit) { return s->parts[hit->object].first_triangle + hit->primitive; }
 
+static void weights_of(const prt_hit *hit, prt_real weight[3]) {
+    weight[0] = 1 - hit->u - hit->v;
+    weight[1] = hit->u;
+    weight[2] = hit->v;
+}
+
+prt_vec3 scene_place_flat(const scene *s, const prt_hit *hit) {
+    const uint32_t *corner = s->mesh.triangles + 3 * (size_t)scene_triangle(s, hit);
+    prt_vec3 place = vec(0, 0, 0);
+    prt_real weight[3];
+    int k;
+    weights_of(hit, weight);
+    for (k = 0; k < 3; k++) place = vec_add(place, weight[k], s->mesh.points[corner[k]].position);
+    return place;
+}
+
 prt_point scene_place(const scene *s, const prt_hit *hit) {
     const uint32_t *corner = s->mesh.triangles + 3 * (size_t)scene_triangle(s, hit);
+    prt_vec3 flat = scene_place_flat(s, hit);
     prt_real weight[3];
     prt_point p;
-    prt_vec3 flat;
     int k;
-    weight[0] = 1 - hit->u - hit->v; weight[1] = hit->u; weight[2] = hit->v;
-    memset(&p, 0, sizeof p);
-    for (k = 0; k < 3; k++) {
-        p.position = vec_add(p.position, weight[k], s->mesh.points[corner[k]].position);
-        p.normal = vec_add(p.normal, weight[k], s->mesh.points[corner[k]].normal);
-    }
-    p.normal = vec_unit(p.normal, hit->normal);
-    flat = p.position;
+    weights_of(hit, weight);
+    p.position = flat;
+    p.normal = vec(0, 0, 0);
     for (k = 0; k < 3; k++) {
         const prt_point *c = &s->mesh.points[corner[k]];
         double below = vec_dot(vec_add(flat, -1, c->position), c->normal);
+        p.normal = vec_add(p.normal, weight[k], c->normal);
         if (below < 0) p.position = vec_add(p.position, (prt_real)-below * weight[k], c->normal);
     }
+    p.normal = vec_unit(p.normal, hit->normal);
     return p;
 }
 

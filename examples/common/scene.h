@@ -36,6 +36,9 @@ int  scene_shapes(double fineness, scene *s, why *w);
 /* A small white ball over a wide platform: what lengthens a shadow. */
 int  scene_ball(double fineness, scene *s, why *w);
 
+/* A clear and a red ball of glass and a white one on a platform: what makes caustics. */
+int  scene_glass(double fineness, scene *s, why *w);
+
 /* A mesh of a file, standing on a platform of `strips` x `strips` squares; with four coloured balls around it. up: which
    axis of the file points upwards, "+x", "-x", "+y" ... */
 int  scene_statue(const char *path, const char *up, int strips, scene *s, why *w);
@@ -54,6 +57,9 @@ int  scene_trace_with(const scene *s, embree_tracer *t, why *w);
    surface that the normals describe [Hanika 2021], so that coarse triangles do not shade themselves. */
 int       scene_triangle(const scene *s, const prt_hit *hit);
 prt_point scene_place(const scene *s, const prt_hit *hit);
+
+/* The place on the triangle itself, where light goes through or comes from behind. */
+prt_vec3  scene_place_flat(const scene *s, const prt_hit *hit);
 
 /* What a camera sees, sample by sample, and a picture with a colour for each vertex, interpolated as OpenGL would. */
 typedef struct view {

@@ -13,20 +13,15 @@ enum { RAYS = 16, BATCH = 256 };
 
 typedef struct tracing { const techniques *t; shadow_truth *to; } tracing;
 
-/* Directions about `axis` within `angle` of it, uniform in solid angle; a single one is the axis. */
+/* Directions within `angle` of `axis`, uniform in solid angle; a single one is the axis. */
 static prt_vec3 within(prt_vec3 axis, double angle, int k, int count, uint64_t seed, uint64_t index) {
     prt_real u = 0, v = 0;
     double z, r;
-    prt_vec3 t = fabs((double)axis.z) < 0.9 ? vec(-(double)axis.y, (double)axis.x, 0) : vec(0, -(double)axis.z, (double)axis.y), b;
     if (count == 1) return axis;
     prt_sample_square(PRT_SAMPLE_FIBONACCI, count, seed, index, k, 1, &u, &v);
     z = 1 - (double)u * (1 - cos(angle));
     r = sqrt(z < 1 ? 1 - z * z : 0);
-    t = vec_unit(t, vec(1, 0, 0));
-    b = vec((double)(axis.y * t.z - axis.z * t.y), (double)(axis.z * t.x - axis.x * t.z), (double)(axis.x * t.y - axis.y * t.x));
-    axis = vec(z * (double)axis.x, z * (double)axis.y, z * (double)axis.z);
-    axis = vec_add(axis, (prt_real)(r * cos(2 * pi * (double)v)), t);
-    return vec_unit(vec_add(axis, (prt_real)(r * sin(2 * pi * (double)v)), b), vec(0, 0, 1));
+    return turn_to(axis, vec(r * cos(2 * pi * (double)v), r * sin(2 * pi * (double)v), z));
 }
 
 /* Rays below the tangent plane bring no light and are left out of the share. */

@@ -34,6 +34,17 @@ static inline prt_vec3 vec_unit(prt_vec3 v, prt_vec3 otherwise) {
 /* d reflected about the plane with unit normal n. */
 static inline prt_vec3 vec_reflect(prt_vec3 d, prt_vec3 n) { return vec_add(d, (prt_real)(-2 * vec_dot(d, n)), n); }
 
+/* A vector about +z, turned so that +z comes to lie on `axis`. */
+static inline prt_vec3 turn_to(prt_vec3 axis, prt_vec3 v) {
+    double sign = axis.z < 0 ? -1 : 1, a = -1 / (sign + (double)axis.z), b = (double)axis.x * (double)axis.y * a;
+    prt_vec3 t = vec(1 + sign * (double)axis.x * (double)axis.x * a, sign * b, -sign * (double)axis.x);
+    prt_vec3 o = vec(b, sign + (double)axis.y * (double)axis.y * a, -(double)axis.y);    /* [Duff 2017] */
+    prt_vec3 out = vec(0, 0, 0);
+    out = vec_add(out, v.x, t);
+    out = vec_add(out, v.y, o);
+    return vec_unit(vec_add(out, v.z, axis), axis);
+}
+
 static inline prt_rgb rgb_times(prt_rgb a, prt_rgb b) { return rgb((double)(a.r * b.r), (double)(a.g * b.g), (double)(a.b * b.b)); }
 static inline prt_rgb rgb_scale(prt_rgb a, double s) { return rgb(s * (double)a.r, s * (double)a.g, s * (double)a.b); }
 static inline double  rgb_mean(prt_rgb c) { return ((double)c.r + (double)c.g + (double)c.b) / 3; }
