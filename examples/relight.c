@@ -37,6 +37,7 @@ static const char usage[] =
     "  --threads N        threads of the bake                 [all processors]\n"
     "  --out DIR          where pictures and transfer go      [out]\n"
     "  --resume           go on with an interrupted bake\n"
+    "  --checkpoint N     seconds between saves of a bake     [60]\n"
     "  --floor            put the mesh on a round floor\n"
     "  --z-up             the file's up is +z                 [+y]\n"
     "  --size N           width and height of the pictures    [768]\n"
@@ -45,7 +46,7 @@ static const char usage[] =
 
 typedef struct options {
     const char *mesh, *out, *environments[MOST_ENVIRONMENTS];
-    int environment_count, bands, rays, threads, size, azimuth, resume, floor, z_up, help;
+    int environment_count, bands, rays, threads, checkpoint, size, azimuth, resume, floor, z_up, help;
     uint64_t seed;
 } options;
 
@@ -94,12 +95,13 @@ static int parse(int count, char **words, options *o, why *w) {
     o->size = 768;
     o->azimuth = -80;
     o->threads = processor_count();
+    o->checkpoint = 60;
     for (i = 1; i < count; i++) {
         const char *word = words[i], *next = i + 1 < count ? words[i + 1] : NULL;
         struct { const char *name; int low, high; int *value; } numbers[] = {
             { "--bands", 1, PRT_MAX_BANDS, &o->bands }, { "--rays", 1, 1 << 24, &o->rays },
             { "--threads", 1, 256, &o->threads },       { "--size", 16, 8192, &o->size },
-            { "--azimuth", -360, 360, &o->azimuth }
+            { "--azimuth", -360, 360, &o->azimuth },   { "--checkpoint", 1, 86400, &o->checkpoint }
         };
         struct { const char *name; int *value; } switches[] = {
             { "--resume", &o->resume }, { "--floor", &o->floor }, { "--z-up", &o->z_up }, { "--help", &o->help }
@@ -236,7 +238,7 @@ static int bake(const options *o, const mesh *m, prt_real *transfer, unsigned ch
     job.what = "relight: bake";
     job.stop = &interrupted;
     job.checkpoint = save_checkpoint;
-    job.checkpoint_every = 60;
+    job.checkpoint_every = o->checkpoint;
     job.user = &s;
     job.done = done;
     job.transfer = transfer;

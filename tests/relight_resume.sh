@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # A bake of examples/relight that was interrupted and resumed equals one that was not, byte for byte; a killed one leaves
-# the old file as it was.
+# the old file as it was, or its last checkpoint, from which --resume goes on.
 #   tests/relight_resume.sh path/to/relight
 set -u
 relight=$1
@@ -51,3 +51,25 @@ kill -KILL $pid 2>/dev/null
 wait $pid 2>/dev/null
 cmp parts/ball.prt whole/ball.prt || [ $? != 1 ] || { grep -q whole/ball.prt log || die "a killed bake changed the file"; }
 echo "a killed bake leaves the old file alone"
+
+# A killed bake goes on from its last checkpoint. Too long to end by itself; ended when a checkpoint is there.
+endless() { "$relight" ball.obj white.pfm --size 64 --rays 200000 --threads 1 --checkpoint 1 --out killed "$@" >log 2>&1 & pid=$!; }
+until_longer_than() {   # SIZE: waits for killed/ball.prt to be longer
+    for _ in $(seq 600); do
+        [ -s killed/ball.prt ] && [ "$(wc -c <killed/ball.prt)" -gt "$1" ] && return
+        kill -0 $pid 2>/dev/null || die "the bake ended early"
+        sleep 0.05
+    done
+    kill -KILL $pid
+    die "no checkpoint within 30 s"
+}
+endless
+until_longer_than 0
+kill -KILL $pid
+wait $pid 2>/dev/null
+endless --resume
+until_longer_than "$(wc -c <killed/ball.prt)"
+kill -INT $pid
+wait $pid
+[ $? = 130 ] && grep -q 'points are baked; --resume goes on' log || die "exit after SIGINT"
+echo "a killed bake goes on from its checkpoint: $(tail -1 log)"

@@ -151,7 +151,7 @@ static void store(picture *p, size_t at, const double sum[3], float alpha) {
 /* Transfer of this one sample from its open cosine rays, dotted with the light of every environment and band count. */
 static void store_floor(const reference *r, reference_half *t, size_t at, sample_rays *s) {
     prt_real transfer[REFERENCE_COEFFICIENTS], light[3 * REFERENCE_COEFFICIENTS];
-    prt_rgb out;
+    prt_rgb out = { 0, 0, 0 };
     int open = 0, e, b, i, k;
     for (k = 0; k < REFERENCE_COSINE_RAYS; k++) {
         if (s->blocked[k]) continue;
