@@ -25,6 +25,7 @@ const family families[] = {
     { "rotation_from_quaternion", 0, 0, FORM_TEXT, describe_rotation_from_quaternion },
     { "sh_dot", 1, 10, FORM_TEXT, describe_sh_dot },
     { "shade_diffuse", 1, 10, FORM_TEXT, describe_shade_diffuse },
+    { "shade_diffuse_four", 0, 0, FORM_TEXT, describe_shade_diffuse_four },
     { "sh_product", 1, 6, FORM_ONE | FORM_LANES | FORM_TEXT, describe_sh_product },
     { "sh_square", 1, 5, FORM_ONE | FORM_TEXT, describe_sh_square },
     { "sh_rows", 3, 8, FORM_NODES | FORM_BLOCK, describe_sh_rows },

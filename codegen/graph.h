@@ -22,9 +22,9 @@ typedef struct node_data {
     int uses;                                          /* by outputs and by nodes that an output needs */
 } node_data;
 
-/* A direction is three scalars x, y, z in C and one vector elsewhere. A result is what a shader's function returns, one
-   value or a vector of three; in C it is an output array. */
-typedef enum param_kind { PARAM_SCALAR, PARAM_DIRECTION, PARAM_INPUT, PARAM_OUTPUT, PARAM_RESULT } param_kind;
+/* A direction is three scalars x, y, z in prt.h, an array in C and one vector elsewhere; so are four values. A result is what
+   a shader's function returns, one value or a vector of three; in C it is an output array. */
+typedef enum param_kind { PARAM_SCALAR, PARAM_DIRECTION, PARAM_FOUR, PARAM_INPUT, PARAM_OUTPUT, PARAM_RESULT } param_kind;
 
 typedef struct param { const char *name; param_kind kind; int count; } param;   /* count: elements; 0 for a scalar */
 typedef struct output { int param, element; node value; } output;

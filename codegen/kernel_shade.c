@@ -24,3 +24,16 @@ kernel *describe_shade_diffuse(int bands) {
     for (c = 0; c < 3; c++) kernel_output(k, out, c, dot(k, n, transfer, 0, light, c * n));
     return k;
 }
+
+/* The share of four coefficients, for those that stand four a texel or attribute: the sum over all fours is
+   shade_diffuse. */
+kernel *describe_shade_diffuse_four(int bands) {
+    kernel *k = kernel_new("shade_diffuse_four", "shade_diffuse, the share of four coefficients");
+    static const char *const plane[3] = { "red", "green", "blue" };
+    int transfer = kernel_param(k, "transfer", PARAM_FOUR, 4), light[3], out, c;
+    (void)bands;
+    for (c = 0; c < 3; c++) light[c] = kernel_param(k, plane[c], PARAM_FOUR, 4);
+    out = kernel_param(k, "out", PARAM_RESULT, 3);
+    for (c = 0; c < 3; c++) kernel_output(k, out, c, dot(k, 4, transfer, 0, light[c], 0));
+    return k;
+}

@@ -70,7 +70,7 @@ description describe_sh_product, describe_sh_square, describe_sh_product_zonal;
 description describe_sh_mask_hann, describe_sh_mask_filter_positive;
 description describe_ch_from_sh, describe_sh_from_ch, describe_ch_from_moments, describe_ch_to_moments, describe_ch_dot;
 description describe_ch_rotate, describe_ch_product;
-description describe_sh_dot, describe_shade_diffuse;
+description describe_sh_dot, describe_shade_diffuse, describe_shade_diffuse_four;
 description describe_fiv_irradiance, describe_fiv_place, describe_fiv_blend, describe_fiv_taken, describe_fiv_overlap, describe_fiv_self;
 description describe_vo_direct, describe_vo_pass, describe_vo_pass_cap, describe_vo_sent;
 

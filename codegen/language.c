@@ -18,7 +18,7 @@ static void print_summary(FILE *to, const dialect *d, const kernel *k) {
 
 /* ---- the C of prt.h ---- */
 
-static const char axis_name[3] = { 'x', 'y', 'z' };
+static const char axis_name[4] = { 'x', 'y', 'z', 'w' };
 
 /* Separates parameters, breaking lines at 100 columns */
 static int next_parameter(FILE *to, int column, int first) {
@@ -54,7 +54,7 @@ static void open_header_form(FILE *to, const kernel *k, const char *name, const 
         switch (p->kind) {
         case PARAM_SCALAR:    column += fprintf(to, "%s %s", scalar, p->name); break;
         case PARAM_DIRECTION: column += fprintf(to, "%s x, %s y, %s z", scalar, scalar, scalar); break;
-        case PARAM_INPUT:     column += fprintf(to, "const prt_real *%s", p->name); break;
+        case PARAM_INPUT: case PARAM_FOUR: column += fprintf(to, "const prt_real *%s", p->name); break;
         case PARAM_OUTPUT: case PARAM_RESULT:
             column += fprintf(to, "prt_real *%s%s", k->stores_last ? "" : "PRT__RESTRICT ", p->name);
             break;
@@ -185,7 +185,7 @@ static const char *safe_name(const char *name) {
 typedef struct signature {
     const char *head_void, *head_real, *head_vec3;     /* up to the parenthesis, with the name */
     const char *tail_void, *tail_real, *tail_vec3;     /* from the parenthesis to the brace */
-    const char *scalar, *direction, *array, *out_array;
+    const char *scalar, *direction, *four, *array, *out_array;
     int vectors;                                       /* a function can return three values as a vector */
 } signature;
 
@@ -201,6 +201,7 @@ static void open_signature(FILE *to, const kernel *k, const char *name, const si
         switch (p->kind) {
         case PARAM_SCALAR:    column += fprintf(to, s->scalar, safe_name(p->name)); break;
         case PARAM_DIRECTION: column += fprintf(to, s->direction, safe_name(p->name)); break;
+        case PARAM_FOUR:      column += fprintf(to, s->four, safe_name(p->name)); break;
         case PARAM_INPUT:     column += fprintf(to, s->array, safe_name(p->name), p->count); break;
         case PARAM_OUTPUT: case PARAM_RESULT: column += fprintf(to, s->out_array, safe_name(p->name), p->count); break;
         }
@@ -209,7 +210,8 @@ static void open_signature(FILE *to, const kernel *k, const char *name, const si
 }
 
 static void load_shader(char *text, size_t size, const param *p, int element) {
-    if (p->kind == PARAM_DIRECTION) snprintf(text, size, "%s.%c", safe_name(p->name), axis_name[element]);
+    if (p->kind == PARAM_DIRECTION || p->kind == PARAM_FOUR)
+        snprintf(text, size, "%s.%c", safe_name(p->name), axis_name[element]);
     else if (element < 0) snprintf(text, size, "%s", safe_name(p->name));
     else snprintf(text, size, "%s[%d]", safe_name(p->name), element);
 }
@@ -247,7 +249,7 @@ static void store_wgsl(FILE *to, const param *p, int element, const char *value,
 #define C_DIALECT(id, real, preamble, round, const_close_)                                                             \
     static const signature signature_##id = {                                                                          \
         "static void %s(", "static " real " %s(", "static void %s(", ") {\n", ") {\n", ") {\n",                        \
-        real " %s", "const " real " %s[3]", "const " real " %s[%d]", real " %s[%d]", 0 };                              \
+        real " %s", "const " real " %s[3]", "const " real " %s[4]", "const " real " %s[%d]", real " %s[%d]", 0 };                              \
     static void open_##id(FILE *to, const kernel *k, const char *name) {                                               \
         open_signature(to, k, name, &signature_##id);                                                                  \
         print_unused(to, k, 0);                                                                                        \
@@ -259,35 +261,35 @@ static void store_wgsl(FILE *to, const param *p, int element, const char *value,
 C_DIALECT(c, "float", "#include <math.h>\n", "", "f")
 C_DIALECT(c_float16, "_Float16", "#include <math.h>\n", "(_Float16)", "f16")
 
-#define GLSL_SIGNATURE(real, vec3) {                                                                          \
+#define GLSL_SIGNATURE(real, vec3, vec4) {                                                                          \
     "void %s(", real " %s(", vec3 " %s(", ") {\n", ") {\n", ") {\n",                                          \
-    real " %s", vec3 " %s", real " %s[%d]", "out " real " %s[%d]", 1 }
-static const signature signature_glsl = GLSL_SIGNATURE("float", "vec3");
-static const signature signature_glsl_half = GLSL_SIGNATURE("mediump float", "mediump vec3");
-static const signature signature_glsl_float16 = GLSL_SIGNATURE("float16_t", "f16vec3");
+    real " %s", vec3 " %s", vec4 " %s", real " %s[%d]", "out " real " %s[%d]", 1 }
+static const signature signature_glsl = GLSL_SIGNATURE("float", "vec3", "vec4");
+static const signature signature_glsl_half = GLSL_SIGNATURE("mediump float", "mediump vec3", "mediump vec4");
+static const signature signature_glsl_float16 = GLSL_SIGNATURE("float16_t", "f16vec3", "f16vec4");
 DIALECT(glsl, "glsl", "", "", signature_glsl, "float %s = ", TERNARY, "", store_shader, "vec3(%s, %s, %s)")
 DIALECT(glsl_half, "glsl", "", "", signature_glsl_half, "mediump float %s = ", TERNARY, "", store_shader, "vec3(%s, %s, %s)")
 DIALECT(glsl_float16, "glsl", "#extension GL_EXT_shader_explicit_arithmetic_types_float16 : require\n", "", signature_glsl_float16, "float16_t %s = ", TERNARY, "hf", store_shader, "f16vec3(%s, %s, %s)")
 
-static const signature signature_hlsl = GLSL_SIGNATURE("float", "float3");
-static const signature signature_hlsl_half = GLSL_SIGNATURE("min16float", "min16float3");
-static const signature signature_hlsl_float16 = GLSL_SIGNATURE("half", "half3");
+static const signature signature_hlsl = GLSL_SIGNATURE("float", "float3", "float4");
+static const signature signature_hlsl_half = GLSL_SIGNATURE("min16float", "min16float3", "min16float4");
+static const signature signature_hlsl_float16 = GLSL_SIGNATURE("half", "half3", "half4");
 DIALECT(hlsl, "hlsl", "", "", signature_hlsl, "float %s = ", TERNARY, "f", store_shader, "float3(%s, %s, %s)")
 DIALECT(hlsl_half, "hlsl", "", "", signature_hlsl_half, "min16float %s = ", TERNARY, "f", store_shader, "min16float3(%s, %s, %s)")
 DIALECT(hlsl_float16, "hlsl", "", "(half)", signature_hlsl_float16, "half %s = ", TERNARY, "h", store_shader, "half3(%s, %s, %s)")
 
-#define METAL_SIGNATURE(real, vec3) {                                                                         \
+#define METAL_SIGNATURE(real, vec3, vec4) {                                                                         \
     "static inline void %s(", "static inline " real " %s(", "static inline " vec3 " %s(", ") {\n", ") {\n", ") {\n", \
-    real " %s", vec3 " %s", "thread const " real " *%s", "thread " real " *%s", 1 }
+    real " %s", vec3 " %s", vec4 " %s", "thread const " real " *%s", "thread " real " *%s", 1 }
 #define METAL_PREAMBLE "#include <metal_stdlib>\nusing namespace metal;\n"
-static const signature signature_metal = METAL_SIGNATURE("float", "float3");
-static const signature signature_metal_half = METAL_SIGNATURE("half", "half3");
+static const signature signature_metal = METAL_SIGNATURE("float", "float3", "float4");
+static const signature signature_metal_half = METAL_SIGNATURE("half", "half3", "half4");
 DIALECT(metal, "metal", METAL_PREAMBLE, "", signature_metal, "const float %s = ", TERNARY, "f", store_shader, "float3(%s, %s, %s)")
 DIALECT(metal_half, "metal", METAL_PREAMBLE, "", signature_metal_half, "const half %s = ", TERNARY, "h", store_shader, "half3(%s, %s, %s)")
 
 #define WGSL_SIGNATURE(real) {                                                                                \
     "fn %s(", "fn %s(", "fn %s(", ") {\n", ") -> " real " {\n", ") -> vec3<" real "> {\n",                    \
-    "%s: " real, "%s: vec3<" real ">", "%s: array<" real ", %d>", "%s: ptr<function, array<" real ", %d>>", 1 }
+    "%s: " real, "%s: vec3<" real ">", "%s: vec4<" real ">", "%s: array<" real ", %d>", "%s: ptr<function, array<" real ", %d>>", 1 }
 static const signature signature_wgsl = WGSL_SIGNATURE("f32");
 static const signature signature_wgsl_half = WGSL_SIGNATURE("f16");
 DIALECT(wgsl, "wgsl", "", "", signature_wgsl, "let %s: f32 = ", WGSL_SELECT, "", store_wgsl, "vec3<f32>(%s, %s, %s)")

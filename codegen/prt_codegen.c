@@ -19,7 +19,8 @@
    A fence of prt.h carries its own command, whose kernels are printed in the forms that the header uses:
      / * BEGIN GENERATED: prt_codegen --lang c --emit sh_eval --bands 1-10 * /
      ...
-     / * END GENERATED * /                                                                                        */
+     / * END GENERATED * /
+   A fence of another language, in the source file of any program, holds the functions as a string of C.            */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -129,22 +130,6 @@ static int check_bands(const family *f, int first, int last) {
     return fail("no such kernel", range, "prt_codegen --list names the bands");
 }
 
-/* The kernels of a fence, in the forms of prt.h */
-static int print_fence(FILE *to, const request *r) {
-    char names[sizeof r->emit], *name;
-    if (r->table) return print_table(to, r);
-    snprintf(names, sizeof names, "%s", r->emit);
-    for (name = strtok(names, ","); name; name = strtok(NULL, ",")) {
-        const family *f = find_family(name, FORM_HEADER);
-        int bands, first = r->first_bands, last = r->last_bands;
-        if (!f) return fail("no kernel of prt.h is called", name, "families.c names them");
-        if (!first) { first = f->min_bands; last = f->max_bands; }
-        if (check_bands(f, first, last)) return 1;
-        for (bands = first; bands <= last; bands++) print_header_forms(to, f, bands);
-    }
-    return 0;
-}
-
 /* One function, named as in prt.h; with its bands where there are several */
 static void print_function(FILE *to, const dialect *d, const request *r, const family *f, int bands) {
     kernel *k;
@@ -155,6 +140,62 @@ static void print_function(FILE *to, const dialect *d, const request *r, const f
     else snprintf(name, sizeof name, "%s%s_%d", r->prefix, f->name, bands);
     print_kernel(to, d, k, name);
     kernel_free(k);
+}
+
+static int print_functions(FILE *to, const dialect *d, const request *r) {
+    char names[sizeof r->emit], *name;
+    int bands, i;
+    if (!strcmp(r->emit, "all")) {
+        for (i = 0; i < family_count; i++)
+            if (families[i].forms & FORM_TEXT && (families[i].max_bands == 0 ||
+                (r->first_bands >= families[i].min_bands && r->last_bands <= families[i].max_bands)))
+                for (bands = r->first_bands; bands <= r->last_bands; bands++) print_function(to, d, r, &families[i], bands);
+        return 0;
+    }
+    snprintf(names, sizeof names, "%s", r->emit);
+    for (name = strtok(names, ","); name; name = strtok(NULL, ",")) {
+        const family *f = find_family(name, FORM_TEXT);
+        if (!f) return fail("unknown kernel", name, "prt_codegen --list names them");
+        if (check_bands(f, r->first_bands, r->last_bands)) return 1;
+        for (bands = r->first_bands; bands <= r->last_bands; bands++) print_function(to, d, r, f, bands);
+    }
+    return 0;
+}
+
+/* Functions of a shading language as a string of C; they hold neither quotes nor backslashes. */
+static int print_quoted(FILE *to, const request *r) {
+    const dialect *d = find_dialect(r->lang, r->precision);
+    FILE *text = tmpfile();
+    int c, fresh = 1, bad;
+    if (!d) return fail("unknown language", r->lang, "use c, glsl, hlsl, wgsl or metal");
+    if (!text) return fail("cannot write", "a temporary file", "check permissions");
+    bad = print_functions(text, d, r);
+    rewind(text);
+    while ((c = fgetc(text)) != EOF) {
+        if (c == '\n') { fputs(fresh ? "" : "\\n\"\n", to); fresh = 1; continue; }
+        if (fresh) fputs("    \"", to);
+        fresh = 0;
+        fputc(c, to);
+    }
+    fclose(text);
+    return bad;
+}
+
+/* The kernels of a fence, in the forms of prt.h, or quoted */
+static int print_fence(FILE *to, const request *r) {
+    char names[sizeof r->emit], *name;
+    if (r->table) return print_table(to, r);
+    if (strcmp(r->lang, "c")) return print_quoted(to, r);
+    snprintf(names, sizeof names, "%s", r->emit);
+    for (name = strtok(names, ","); name; name = strtok(NULL, ",")) {
+        const family *f = find_family(name, FORM_HEADER);
+        int bands, first = r->first_bands, last = r->last_bands;
+        if (!f) return fail("no kernel of prt.h is called", name, "families.c names them");
+        if (!first) { first = f->min_bands; last = f->max_bands; }
+        if (check_bands(f, first, last)) return 1;
+        for (bands = first; bands <= last; bands++) print_header_forms(to, f, bands);
+    }
+    return 0;
 }
 
 static const char *const precision_option[PRECISIONS] = { "", " --precision half", " --precision float16" };
@@ -173,25 +214,9 @@ static void print_preamble(FILE *to, const dialect *d, const request *r) {
 
 static int print_language(FILE *to, const request *r) {
     const dialect *d = find_dialect(r->lang, r->precision);
-    char names[sizeof r->emit], *name;
-    int bands, i;
     if (!d) return fail("unknown language", r->lang, "use c, glsl, hlsl, wgsl or metal");
     print_preamble(to, d, r);
-    if (!strcmp(r->emit, "all")) {
-        for (i = 0; i < family_count; i++)
-            if (families[i].forms & FORM_TEXT && (families[i].max_bands == 0 ||
-                (r->first_bands >= families[i].min_bands && r->last_bands <= families[i].max_bands)))
-                for (bands = r->first_bands; bands <= r->last_bands; bands++) print_function(to, d, r, &families[i], bands);
-        return 0;
-    }
-    snprintf(names, sizeof names, "%s", r->emit);
-    for (name = strtok(names, ","); name; name = strtok(NULL, ",")) {
-        const family *f = find_family(name, FORM_TEXT);
-        if (!f) return fail("unknown kernel", name, "prt_codegen --list names them");
-        if (check_bands(f, r->first_bands, r->last_bands)) return 1;
-        for (bands = r->first_bands; bands <= r->last_bands; bands++) print_function(to, d, r, f, bands);
-    }
-    return 0;
+    return print_functions(to, d, r);
 }
 
 /* To r->path by way of a temporary, so that a failure leaves the old file whole */

@@ -718,6 +718,14 @@ vec3 prt_shade_diffuse(float transfer[16], float light[48]) {
     return vec3((t18 + light[14] * t19) + light[15] * t20, (t24 + t19 * light[30]) + t20 * light[31], (t28 + t19 * light[46]) + t20 * light[47]);
 }
 
+// shade_diffuse, the share of four coefficients: 12 multiplications, 9 additions (9 can fuse), 3 stores
+vec3 prt_shade_diffuse_four(vec4 transfer, vec4 red, vec4 green, vec4 blue) {
+    float t1 = (red.x * transfer.x + red.y * transfer.y) + red.z * transfer.z;
+    float t2 = (transfer.x * green.x + transfer.y * green.y) + transfer.z * green.z;
+    float t3 = (transfer.x * blue.x + transfer.y * blue.y) + transfer.z * blue.z;
+    return vec3(t1 + red.w * transfer.w, t2 + transfer.w * green.w, t3 + transfer.w * blue.w);
+}
+
 // product, 4 bands: 364 multiplications, 274 additions (173 can fuse), 32 loads, 16 stores
 void prt_sh_product(float f[16], float g[16], out float result[16]) {
     float t1 = f[2];

@@ -22,6 +22,19 @@ static const char mesh_vertex[] =
     "    gl_Position = clip_from_world * vec4(point[v], point[v + 1u], point[v + 2u], 1);\n"
     "}\n";
 
+/* Shading from four coefficients of transfer, a texel, under those of the light */
+static const char shade_four[] =
+/* BEGIN GENERATED: prt_codegen --lang glsl --bands 4 --emit shade_diffuse_four */
+    "// shade_diffuse, the share of four coefficients: 12 multiplications, 9 additions (9 can fuse), 3 stores\n"
+    "vec3 prt_shade_diffuse_four(vec4 transfer, vec4 red, vec4 green, vec4 blue) {\n"
+    "    float t1 = (red.x * transfer.x + red.y * transfer.y) + red.z * transfer.z;\n"
+    "    float t2 = (transfer.x * green.x + transfer.y * green.y) + transfer.z * green.z;\n"
+    "    float t3 = (transfer.x * blue.x + transfer.y * blue.y) + transfer.z * blue.z;\n"
+    "    return vec3(t1 + red.w * transfer.w, t2 + transfer.w * green.w, t3 + transfer.w * blue.w);\n"
+    "}\n"
+/* END GENERATED */
+;
+
 static const char mesh_fragment[] =
     "layout(std430, binding = 1) readonly buffer Triangles { uint corner[]; };\n"
     "layout(binding = 1) uniform samplerBuffer transfer;\n"                            /* CHUNKS texels a vertex */
@@ -36,7 +49,7 @@ static const char mesh_fragment[] =
     "    for (int i = 0; i < CHUNKS; i++) {\n"
     "        vec4 here = share.x * texelFetch(transfer, at.x + i) + share.y * texelFetch(transfer, at.y + i) +\n"
     "                    share.z * texelFetch(transfer, at.z + i);\n"
-    "        radiance += vec3(dot(here, light[i]), dot(here, light[CHUNKS + i]), dot(here, light[2 * CHUNKS + i]));\n"
+    "        radiance += prt_shade_diffuse_four(here, light[i], light[CHUNKS + i], light[2 * CHUNKS + i]);\n"
     "    }\n"
     "    color = vec4(albedo * radiance, 1);\n"
     "}\n";
@@ -161,7 +174,7 @@ int relighter_fits(int bands, const mesh *m, why *w) {
 int relighter_set_transfer(relighter *r, int bands, const mesh *m, const prt_real *transfer, why *w) {
     size_t point_count = (size_t)m->point_count, count = (size_t)PRT_SH_COUNT(bands), padded = 4 * (size_t)chunks_of(bands), i, k;
     float *fours;
-    char defines[40];
+    char before[40 + sizeof shade_four];
     if (relighter_fits(bands, m, w)) return -1;
     fours = (float *)calloc(point_count * padded, sizeof *fours);
     if (!fours) return why_set(w, "out of memory");
@@ -174,8 +187,8 @@ int relighter_set_transfer(relighter *r, int bands, const mesh *m, const prt_rea
     gl.TextureBuffer(r->transfer_texels, GL_RGBA32F, r->transfer);
     r->light = make_buffer(NULL, 3 * padded * sizeof *fours);
     free(fours);
-    snprintf(defines, sizeof defines, "#define CHUNKS %d\n", chunks_of(bands));
-    r->mesh_program = gl_program("mesh", defines, mesh_vertex, mesh_fragment, w);
+    snprintf(before, sizeof before, "#define CHUNKS %d\n%s", chunks_of(bands), shade_four);
+    r->mesh_program = gl_program("mesh", before, mesh_vertex, mesh_fragment, w);
     return r->mesh_program ? gl_check("uploading transfer", w) : -1;
 }
 

@@ -194,6 +194,7 @@ static void vo_sent(const double *in, double *out) {
     X(sh_window_lanczos, 0, prt_sh_window(n, PRT_WINDOW_LANCZOS, n, in, out)) \
     X(sh_window_positive, 0, prt_sh_window(n, PRT_WINDOW_POSITIVE, n, in, out)) \
     X(sh_rotate, 0, prt_sh_rotate(n, in, in + 9, out)) \
+    X(shade_diffuse_four, 0, prt_shade_diffuse(2, in, in + 4, (prt_rgb *)(void *)out)) \
     X(sh_rotate_turned, 0, prt_sh_rotate(n, in, in + 9 + 6, out)) \
     X(sh_turn, 0, prt__euler(in, out)) \
     X(sh_rotate_z, 0, prt_sh_rotate_z(n, in[0], in + 1, out)) \
@@ -313,7 +314,7 @@ static void fill_inputs(const kernel *k, int item, double *in) {
         else if (p->kind == PARAM_SCALAR) *in++ = fill_scalar(p->name, item);
         else if (!strcmp(p->name, "r")) { fill_rotation(item, in); in += 9; }
         else if (!strcmp(p->name, "turn")) in += 6;
-        else if (p->kind == PARAM_INPUT)
+        else if (p->kind == PARAM_INPUT || p->kind == PARAM_FOUR)
             for (j = 0; j < p->count; j++) *in++ = 2 * uniform() - 1;
     }
 }

@@ -19,12 +19,12 @@ int kernel_outputs(const kernel *k) {
     return count;
 }
 
-/* How a language says the few things that a wrapper needs; %s and %d as in the calls below. REAL and VEC3 are macros
-   for the types of the precision; WGSL has no macros. */
+/* How a language says the few things that a wrapper needs; %s and %d as in the calls below. REAL, VEC3 and VEC4 are
+   macros for the types of the precision; WGSL has no macros. */
 typedef struct words {
     const char *array;                                 /* declaration: name, count */
     const char *copy_in;                               /* loop: count, name, offset */
-    const char *scalar, *vector;                       /* an input, three inputs: offset(s) */
+    const char *scalar, *vector, *four;                /* one, three, four inputs: offset(s) */
     const char *argument_out;                          /* passing an array to be written */
     const char *real, *vec3;                           /* declaration of a result */
     const char *put, *put_array;                       /* output[offset] = name; loop: count, offset, name */
@@ -32,18 +32,20 @@ typedef struct words {
 
 static const words words_plain = {
     "    REAL %s[%d];\n", "    for (int i = 0; i < %d; i++) %s[i] = REAL(IN(%d + i));\n", "REAL(IN(%d))",
-    "VEC3(IN(%d), IN(%d), IN(%d))", "%s", "    REAL %s = ", "    VEC3 %s = ", "    OUT(%d, %s);\n",
+    "VEC3(IN(%d), IN(%d), IN(%d))", "VEC4(IN(%d), IN(%d), IN(%d), IN(%d))", "%s", "    REAL %s = ", "    VEC3 %s = ", "    OUT(%d, %s);\n",
     "    for (int i = 0; i < %d; i++) OUT(%d + i, %s[i]);\n"
 };
 static const words words_c = {
     "    REAL %s[%d];\n", "    for (int i = 0; i < %d; i++) %s[i] = (REAL)IN(%d + i);\n", "(REAL)IN(%d)",
-    "(const REAL[3]){ (REAL)IN(%d), (REAL)IN(%d), (REAL)IN(%d) }", "%s", "    REAL %s = ", "    REAL %s[3];\n", "    OUT(%d, %s);\n",
+    "(const REAL[3]){ (REAL)IN(%d), (REAL)IN(%d), (REAL)IN(%d) }",
+    "(const REAL[4]){ (REAL)IN(%d), (REAL)IN(%d), (REAL)IN(%d), (REAL)IN(%d) }", "%s", "    REAL %s = ", "    REAL %s[3];\n", "    OUT(%d, %s);\n",
     "    for (int i = 0; i < %d; i++) OUT(%d + i, %s[i]);\n"
 };
 #define WGSL_WORDS(real) { \
     "    var %s: array<" real ", %d>;\n", \
     "    for (var i: u32 = 0u; i < %du; i++) { %s[i] = " real "(ins[base_in + %du + i]); }\n", real "(ins[base_in + %du])", \
     "vec3<" real ">(vec3<f32>(ins[base_in + %du], ins[base_in + %du], ins[base_in + %du]))", \
+    "vec4<" real ">(vec4<f32>(ins[base_in + %du], ins[base_in + %du], ins[base_in + %du], ins[base_in + %du]))", \
     "&%s", "    let %s = ", "    let %s = ", "    outs[base_out + %du] = f32(%s);\n", \
     "    for (var i: u32 = 0u; i < %du; i++) { outs[base_out + %du + i] = f32(%s[i]); }\n" }
 static const words words_wgsl = WGSL_WORDS("f32"), words_wgsl_half = WGSL_WORDS("f16");
@@ -68,6 +70,7 @@ static void print_arguments(FILE *to, const kernel *k, const words *w, char argu
         switch (p->kind) {
         case PARAM_SCALAR:    length += sprintf(arguments + length, w->scalar, in); break;
         case PARAM_DIRECTION: length += sprintf(arguments + length, w->vector, in, in + 1, in + 2); break;
+        case PARAM_FOUR:      length += sprintf(arguments + length, w->four, in, in + 1, in + 2, in + 3); break;
         case PARAM_INPUT:     length += sprintf(arguments + length, "%s", name); break;
         default:              length += sprintf(arguments + length, w->argument_out, name); break;
         }
@@ -100,14 +103,16 @@ static void print_call(FILE *to, const kernel *k, const words *w, const char *fu
 }
 
 static void print_types(FILE *to, const char *language, precision p) {
-    static const char *const types[][PRECISIONS][2] = {
-        { { "float", "float" }, { "_Float16", "_Float16" }, { "_Float16", "_Float16" } },
-        { { "float", "vec3" }, { "float", "vec3" }, { "float16_t", "f16vec3" } },
-        { { "float", "float3" }, { "min16float", "min16float3" }, { "half", "half3" } },
-        { { "float", "float3" }, { "half", "half3" }, { "half", "half3" } }
+    static const char *const types[][PRECISIONS][3] = {
+        { { "float", "", "" }, { "_Float16", "", "" }, { "_Float16", "", "" } },
+        { { "float", "vec3", "vec4" }, { "float", "vec3", "vec4" }, { "float16_t", "f16vec3", "f16vec4" } },
+        { { "float", "float3", "float4" }, { "min16float", "min16float3", "min16float4" }, { "half", "half3", "half4" } },
+        { { "float", "float3", "float4" }, { "half", "half3", "half4" }, { "half", "half3", "half4" } }
     };
     int row = !strcmp(language, "c") ? 0 : !strcmp(language, "glsl") ? 1 : !strcmp(language, "hlsl") ? 2 : 3;
-    if (strcmp(language, "wgsl")) fprintf(to, "#define REAL %s\n#define VEC3 %s\n", types[row][p][0], types[row][p][1]);
+    const char *const *type = types[row][p];
+    if (!strcmp(language, "wgsl")) return;
+    fprintf(to, "#define REAL %s\n#define VEC3 %s\n#define VEC4 %s\n", type[0], type[1], type[2]);
 }
 
 void wrap_preamble(FILE *to, const char *language, precision p) {
