@@ -540,7 +540,8 @@ static void packing_keeps_what_it_says(void **state) {
         prt_vo_occluder o = noise_occluder(), back, half;
         prt_vo_packed packed;
         prt_vo_packed_diffuse packed_diffuse;
-        o.form_factor += (prt_real)1e-3; o.caustic_factor += (prt_real)1e-3;  /* half floats below 6e-5 have fewer bits */
+        o.form_factor += (prt_real)1e-3; o.caustic_factor += (prt_real)1e-3;   /* half floats below 6e-5 have fewer bits */
+        o.diffuse_normal = scaled(noise_unit(), 1e-3 + noise()); o.specular_normal = scaled(noise_unit(), 1e-3 + noise());
         if (k == 0) o.occlusion = vec3(0, 0, -1);
         if (k == 1) o.occlusion = vec3(-1, 0, 0);
         if (k == 2) o.occlusion = vec3(0, 1, 0);
@@ -567,7 +568,7 @@ static void packing_keeps_what_it_says(void **state) {
         }
         for (c = 0; c < 3; c++) {
             double d = fabs((double)(&o.position.x)[c] - (double)(&at.x)[c]);
-            place = fmax(place, fabs((double)(&back.position.x)[c] - (double)(&o.position.x)[c]) / (d + 1e-3));
+            if (d > 7e-4) place = fmax(place, fabs((double)(&back.position.x)[c] - (double)(&o.position.x)[c]) / d);
         }
     }
     printf("packing: occlusion %.4f degrees, normals %.3f, factors and lengths %.2e, position %.2e, colour %.2f of a step\n",
