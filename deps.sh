@@ -67,7 +67,6 @@ need "$every"     pkg-config               cmd pkg-config
 need "demo"       libembree-dev            hdr embree3/rtcore.h
 need "demo"       libassimp-dev            hdr assimp/scene.h
 need "demo"       libosmesa6-dev           hdr GL/osmesa.h
-need "demo"       libgl1-mesa-dri          true
 need "demo"       libstb-dev               hdr stb/stb_image.h
 need "demo"       libcglm-dev              hdr cglm/cglm.h
 need "demo"       fonts-dejavu-core        test -f /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf

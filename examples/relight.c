@@ -15,6 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "bake_job.h"
 #include "embree_tracer.h"
@@ -197,6 +198,24 @@ static int count_done(const unsigned char *done, int count) {
     return sum;
 }
 
+/* Where the file cannot be written (the disk has filled up since the bake began), what is baked goes to a directory of its
+   own among the temporary files: nothing is lost, but it is a failure all the same. */
+static int keep_elsewhere(const options *o, const transfer_info *info, const unsigned char *done,
+                          const prt_real *transfer, why *w) {
+    const char *place = getenv("TMPDIR");
+    char directory[PATH_MAX], path[PATH_MAX], name[200];
+    why failure = *w, again;
+    stem(o->mesh, name, sizeof name);
+    if (snprintf(directory, sizeof directory, "%s/relight-XXXXXX", place && *place ? place : "/tmp") >=
+        (int)sizeof directory || !mkdtemp(directory))
+        return -1;
+    if (snprintf(path, sizeof path, "%s/%s.prt", directory, name) < (int)sizeof path &&
+        transfer_file_save(path, info, done, transfer, &again) == 0)
+        return why_set(w, "%s; what is baked is in %s: --resume goes on with --out there", failure.line, path);
+    rmdir(directory);
+    return -1;
+}
+
 /* Bakes what is missing. 0; -1 with the reason in w; STOPPED where Ctrl-C ended it and what is done has been saved. */
 static int bake(const options *o, const mesh *m, prt_real *transfer, unsigned char *done, why *w) {
     char path[PATH_MAX];
@@ -245,7 +264,7 @@ static int bake(const options *o, const mesh *m, prt_real *transfer, unsigned ch
     result = bake_job_run(&job);
     embree_tracer_destroy(&tracer);
     if (result != PRT_OK && result != PRT_ERR_CANCELLED) return why_set(w, "bake: %s", prt_result_string(result));
-    if (transfer_file_save(path, &info, done, transfer, w)) return -1;
+    if (transfer_file_save(path, &info, done, transfer, w)) return keep_elsewhere(o, &info, done, transfer, w);
     if (result == PRT_ERR_CANCELLED) {
         printf("%s: %d of %d points are baked; --resume goes on\n", path, count_done(done, m->point_count),
                m->point_count);

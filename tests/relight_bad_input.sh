@@ -167,6 +167,40 @@ cases=$((cases + 1))
 cmp -s full/good.prt before.prt || fail 'disk full: the old file was changed'
 [ "$(ls full)" = $'good-good.png\ngood.prt' ] || fail "disk full: left something behind: $(ls full)"
 
+# ---- a disk that is really full: a file system of 256 KiB, where this user may mount one ----
+export relight
+on_small_disk() {   # COMMAND: with an empty small disk at ./disk
+    mkdir -p disk
+    unshare --mount --map-root-user bash -c 'mount -t tmpfs -o size=256k small disk || exit 99; '"$1" >stdout 2>stderr
+}
+fails_saying() {    # STATUS PATTERN
+    cases=$((cases + 1))
+    sed -i '/^relight: bake .*%,/d; /: note: /d' stderr
+    [ "$1" = 1 ] && [ "$(wc -l <stderr)" = 1 ] && grep -q -- "$2" stderr || fail "exit $1, or no line matches '$2'"
+}
+if on_small_disk true; then
+    on_small_disk '"$relight" --size 16 --rays 16 good.obj good.pfm --out disk && cp disk/good.prt before.prt || exit 98
+        cat /dev/zero >disk/fill 2>/dev/null
+        "$relight" --size 16 --rays 16 --bands 64 good.obj good.pfm --out disk; status=$?
+        cmp disk/good.prt before.prt && [ "$(ls disk)" = "fill
+good-good.png
+good.prt" ] && exit $status'
+    fails_saying $? 'disk/good.prt: there is no room for its'
+    on_small_disk 'cat /dev/zero >disk/fill 2>/dev/null; truncate -s -8192 disk/fill
+        "$relight" --size 300 --rays 16 good.obj minus.pfm --out disk; status=$?; ls disk >&1; exit $status'
+    fails_saying $? 'disk/good-minus.png: '
+    grep -q png stdout && fail 'disk full: left half a picture behind'
+    # Fills up between the first checkpoint and the end: what is baked is kept elsewhere.
+    mkdir elsewhere
+    on_small_disk 'TMPDIR=$PWD/elsewhere "$relight" --size 16 --rays 4000000 --threads 1 --checkpoint 1 good.obj good.pfm --out disk & pid=$!
+        for _ in $(seq 400); do [ -s disk/good.prt ] && break; sleep 0.05; done
+        cp disk/good.prt before.prt; cat /dev/zero >disk/fill 2>/dev/null
+        kill -INT $pid; wait $pid; status=$?; cmp disk/good.prt before.prt && exit $status'
+    fails_saying $? 'disk/good.prt: cannot be written: No space left on device; what is baked is in .*/elsewhere/relight-.*/good.prt'
+else
+    echo "skipped: a full disk (this user may not mount one)"
+fi
+
 # ---- transfer that does not fit ----
 works ''                                        good.obj good.pfm --resume
 error 'good.prt: was baked with 5 bands, not 4' good.obj good.pfm --resume --bands 4
