@@ -46,6 +46,77 @@ static void describe_parts(techniques *t) {
     t->group_count = s->part_count;
 }
 
+/* The part as a mesh of its own. */
+static int extract(const scene *s, const scene_part *part, prt_mesh *m, why *w) {
+    prt_vec3 *positions = (prt_vec3 *)malloc((size_t)part->point_count * sizeof *positions);
+    uint32_t *triangles = (uint32_t *)malloc(3 * (size_t)part->triangle_count * sizeof *triangles);
+    int k;
+    memset(m, 0, sizeof *m);
+    m->vertex_count = part->point_count;
+    m->positions = positions;
+    m->triangle_count = part->triangle_count;
+    m->triangles = triangles;
+    if (!positions || !triangles) return why_set(w, "out of memory for occluders");
+    for (k = 0; k < part->point_count; k++) positions[k] = s->mesh.points[part->first_point + k].position;
+    for (k = 0; k < 3 * part->triangle_count; k++)
+        triangles[k] = s->mesh.triangles[3 * (size_t)part->first_triangle + (size_t)k] - (uint32_t)part->first_point;
+    return 0;
+}
+
+static void release(prt_mesh *m) {
+    free((void *)m->positions);
+    free((void *)m->triangles);
+}
+
+static double area_of(const prt_mesh *m) {
+    double sum = 0;
+    int k;
+    for (k = 0; k < m->triangle_count; k++) {
+        const uint32_t *c = m->triangles + 3 * (size_t)k;
+        prt_vec3 a = vec_add(m->positions[c[1]], -1, m->positions[c[0]]), b = vec_add(m->positions[c[2]], -1, m->positions[c[0]]);
+        double aa = vec_dot(a, a), bb = vec_dot(b, b), ab = vec_dot(a, b);
+        sum += 0.5 * sqrt(aa * bb > ab * ab ? aa * bb - ab * ab : 0);
+    }
+    return sum;
+}
+
+/* One group for each part, then always one more for the part with the most area a group. */
+static void share_out(int parts, const double *area, int wanted, int *counts) {
+    int k, most, made;
+    for (k = 0; k < parts; k++) counts[k] = 1;
+    for (made = parts; made < wanted; made++) {
+        for (most = 0, k = 1; k < parts; k++) if (area[k] / counts[k] > area[most] / counts[most]) most = k;
+        counts[most]++;
+    }
+}
+
+static int split_parts(techniques *t, why *w) {
+    const scene *s = t->scene;
+    double area[SCENE_PARTS];
+    int counts[SCENE_PARTS], k, failed = 0;
+    prt_mesh m;
+    t->groups = (int *)malloc((size_t)s->mesh.triangle_count * sizeof *t->groups);
+    if (!t->groups) return why_set(w, "out of memory for occluders");
+    for (k = 0; k < s->part_count && !failed; k++) {
+        failed = extract(s, &s->parts[k], &m, w);
+        area[k] = failed ? 0 : area_of(&m);
+        release(&m);
+    }
+    if (failed) return -1;
+    share_out(s->part_count, area, t->occluders_wanted, counts);
+    for (k = 0, t->group_count = 0; k < s->part_count && !failed; k++) {
+        prt_vo_object *o = &t->objects[k];
+        int *groups = t->groups + s->parts[k].first_triangle;
+        failed = extract(s, &s->parts[k], &m, w);
+        if (!failed && prt_vo_split(&m, counts[k], (prt_real)0.1, groups, &o->group_count) != PRT_OK)
+            failed = why_set(w, "%s cannot be split into occluders", s->parts[k].name);
+        o->groups = groups;
+        t->group_count += o->group_count;
+        release(&m);
+    }
+    return failed;
+}
+
 static int allocate(techniques *t, why *w) {
     size_t points = (size_t)t->scene->mesh.point_count;
     int k;
@@ -133,7 +204,7 @@ static int bake_occluders(void *user, void *own, int first, int count) {
 static int bake_vo(techniques *t, why *w) {
     int points = t->scene->mesh.point_count, k;
     if (run_job(t, "bake: ambient occlusion", bake_open, t, &t->ao_seconds, w)) return -1;
-    if (t->shining) {                                      /* once without the specular terms, for its time */
+    if (t->shining && t->with_time_of_dd) {                /* once without the specular terms, for its time */
         t->shining = 0;
         k = run_job(t, "bake: occluders, diffuse", bake_occluders, t, &t->vo_dd_seconds, w);
         t->shining = 1;
@@ -260,7 +331,7 @@ static int bake_sh(techniques *t, int k, why *w) {
 int techniques_bake(techniques *t, why *w) {
     int k;
     describe_parts(t);
-    if (allocate(t, w)) return -1;
+    if (allocate(t, w) || (t->occluders_wanted && split_parts(t, w))) return -1;
     for (k = 0; k < t->scene->mesh.point_count; k++) {
         t->points[k] = t->matte_points[k] = shaded_point(t->scene, k);
         t->matte_points[k].specular = rgb(0, 0, 0);

@@ -29,17 +29,16 @@ typedef struct techniques {
     const scene         *scene;        /* the caller's, to be set */
     const embree_tracer *tracer;
     int                 rays, threads, most_occluders;     /* rays a vertex in each pass */
-    int                 occluders_wanted;                  /* cut the parts into so many in all; 0: one a part */
+    int                 occluders_wanted;                  /* cut the parts into so many in all, by area; 0: one a part */
     prt_real            bias;
     int                 shining;       /* bake DS and SS too */
-    int                 with_sh;
+    int                 with_sh, with_time_of_dd;          /* with_time_of_dd: bake VO/DD once more for its time */
     int                 matte;         /* shade as if nothing shone; may change between calls of techniques_shade */
     volatile sig_atomic_t *stop;
 
     prt_vo_object   objects[SCENE_PARTS];
-    uint32_t        *corners;
-    int             *groups;
-    int             group_count;
+    int             *groups;           /* [triangles] the occluder within its part */
+    int             group_count;       /* occluders of the scene */
     prt_vo_point    *points, *matte_points;                /* the vertices with their materials */
     prt_real        *open;             /* ambient occlusion, 0 blocked ... 1 open */
     prt_vo_row      *rows;
