@@ -468,15 +468,19 @@ static int compare_ch(study *d) {
 
 static int size_of_samples(const study *d) { return d->o.size * SAMPLES_A_PIXEL; }
 
-static int bake_stage(const study *d, stage *s, int with_sh, why *w) {
+/* For what is not timed. */
+static int few_rays(const study *d) { return d->o.rays < 2048 ? d->o.rays : 2048; }
+
+static int bake_stage(const study *d, stage *s, int with_sh, int full, why *w) {
     s->baked.scene = &s->shining;
     s->baked.tracer = &s->tracer;
-    s->baked.rays = d->o.rays;
+    s->baked.rays = full ? d->o.rays : few_rays(d);
     s->baked.threads = d->o.threads;
     s->baked.most_occluders = SCENE_PARTS;
     s->baked.bias = (prt_real)1e-4;
     s->baked.shining = 1;
-    s->baked.with_sh = s->baked.with_time_of_dd = with_sh;
+    s->baked.with_sh = with_sh;
+    s->baked.with_time_of_dd = full;
     s->baked.stop = &interrupted;
     return techniques_bake(&s->baked, w);
 }
@@ -493,7 +497,7 @@ static int set_up(const study *d, stage *s, const char *name, camera eye, int wi
         return -1;
     ask(s);
     light_from_around(&s->rigs[AROUND]);
-    return light_from_sky(&d->sky, &s->rigs[SKY], w) || bake_stage(d, s, with_sh, w) ? -1 : 0;
+    return light_from_sky(&d->sky, &s->rigs[SKY], w) || bake_stage(d, s, with_sh, s == &d->shapes, w) ? -1 : 0;
 }
 
 static void stage_free(stage *s) {
@@ -812,7 +816,7 @@ static int study_split(study *d, int which, why *w) {
     memset(&t, 0, sizeof t);
     t.scene = &d->shapes.matte;
     t.tracer = &d->shapes.tracer;
-    t.rays = d->o.rays < 2048 ? d->o.rays : 2048;
+    t.rays = few_rays(d);
     t.threads = d->o.threads;
     t.most_occluders = t.occluders_wanted = split_counts[which];
     t.bias = (prt_real)1e-4;
