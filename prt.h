@@ -744,6 +744,65 @@ PRTDEF prt_result prt_fiv_shade_vectors(prt_rgb total, prt_vec3 normal, int coun
 PRTDEF prt_result prt_fiv_self(const prt_fiv *environment, const prt_fiv_table *self, prt_vec3 local_position,
                                prt_vec3 normal, prt_rgb *irradiance);
 
+/* The table for any SH light, moving or turned, and for occluders that turn: per sample, in the occluder's own frame, the
+   projection V_j = int over what it hides of Y_j dw, to one band more than the light has. For a light of `bands` bands the
+   vector int_hidden w L dw is linear in V: each component of w raises the light by one band, so that it is the dot product
+   of V with the product w_k L. The 3 bands^2 numbers int_hidden w_k Y_i dw that the method asks for are linear functions of
+   these (bands+1)^2 (48 of 25 at 4 bands), which take their place. Filled by prt_bake_fiv_transfer. */
+typedef struct prt_fiv_transfer {
+    int bands;                         /* of the light: 1 ... PRT_MAX_BANDS - 1 */
+    int theta_count, phi_count, rho_count;   /* these and the next two as in prt_fiv_table */
+    const prt_real *rho;
+    prt_real radius;
+    const prt_real *samples;           /* [rho_count][theta_count][phi_count][(bands+1)^2] */
+    const unsigned char *inside;
+} prt_fiv_transfer;
+
+/* What a light is to an occluder: vectors[9][(bands+1)^2], the products of its channels, red first, with the three
+   components of the direction in world space, as functions in the occluder's frame. Once for each light and orientation.
+   rotation   from the occluder's frame to the world; NULL: none
+   light      three planes of bands^2
+   Errors: PRT_ERR_BANDS (bands outside 1 ... PRT_MAX_BANDS - 1), PRT_ERR_NULL, PRT_ERR_ROTATION. Cost: nine products of
+   bands+1 bands, and three rotations. */
+PRTDEF prt_result prt_fiv_transfer_light(int bands, const prt_real rotation[9], const prt_real *light, prt_real *vectors);
+
+/* prt_fiv_lookup for a transfer table, in world space: rotation and vectors as above. Errors: as prt_fiv_lookup, and
+   PRT_ERR_BANDS. Cost: 17 (bands+1)^2 multiply-adds. */
+PRTDEF prt_result prt_fiv_transfer_lookup(const prt_fiv_transfer *table, const prt_real rotation[9],
+                                          const prt_real *vectors, prt_vec3 from_receiver_to_centre, prt_fiv *out);
+
+/* Samples first ... first+count-1 of the prt_fiv_table that belongs to a light, from vectors made with rotation NULL: what
+   prt_bake_fiv_table would find, without a ray. Errors: PRT_ERR_BANDS, PRT_ERR_COUNT, PRT_ERR_NULL.
+   Cost: 9 (bands+1)^2 multiply-adds a sample. */
+PRTDEF prt_result prt_fiv_transfer_samples(const prt_fiv_transfer *table, const prt_real *vectors, int first, int count,
+                                           prt_fiv *samples);
+
+/* Tables in half or a quarter of the memory. 16 bits: IEEE half floats, error 2^-11 of each value. 8 bits: for each
+   distance and component a byte between the least and the largest value, low + step byte, error step/2. Errors of shadows:
+   docs/fiv.md. */
+typedef struct prt_fiv_packed {
+    prt_fiv_table grid;                /* counts, rho, radius and inside; samples is not read */
+    int bits;                          /* 16 or 8 */
+    const void *data;                  /* [rho_count][theta_count][phi_count][9] uint16_t or unsigned char, red first */
+    const prt_fiv *low, *step;         /* [rho_count], for 8 bits */
+} prt_fiv_packed;
+
+/* Bytes of data for a table at 16 or 8 bits, 0 for a bad argument or if a size_t does not hold it. */
+PRTDEF size_t prt_fiv_packed_size(const prt_fiv_table *table, int bits);
+
+/* Packs table->samples into data, and for 8 bits into low and step [rho_count] (NULL for 16), and describes them in
+   *packed. Errors: PRT_ERR_COUNT (counts, bits), PRT_ERR_NULL, PRT_ERR_VALUE (a sample not finite, or for 16 bits beyond
+   65504: scale the light). Cost: two passes over the table. */
+PRTDEF prt_result prt_fiv_pack(const prt_fiv_table *table, int bits, void *data, prt_fiv *low, prt_fiv *step,
+                               prt_fiv_packed *packed);
+
+/* prt_fiv_lookup from a packed table: use it with prt_fiv_shade_vectors. Errors: as prt_fiv_lookup (data; low and step for
+   8 bits), PRT_ERR_COUNT for other bits. Cost: reads 144 or 72 bytes. */
+PRTDEF prt_result prt_fiv_packed_lookup(const prt_fiv_packed *packed, prt_vec3 from_receiver_to_centre, prt_fiv *out);
+
+/* Samples first ... first+count-1 of a packed table. Errors: PRT_ERR_COUNT, PRT_ERR_NULL. */
+PRTDEF prt_result prt_fiv_unpack(const prt_fiv_packed *packed, int first, int count, prt_fiv *samples);
+
 /* The irradiance of the whole environment on `normal` from the cube texture that prt_bake_fiv_total writes,
    total[6][size][size], bilinear between texel centres, and beyond the outermost ones extended in a straight line, so that
    edges and corners are as good as the rest. Error: curvature of I_tot times (2/size)^2/8. size < 1 or NULL: 0. */
@@ -5412,94 +5471,118 @@ PRT__INLINE prt__fiv_grid prt__fiv_grid_of(const prt_fiv_table *t) {
     return g;
 }
 
-/* Where lanes stand in a grid: theta and phi in units of its steps. */
-typedef struct prt__fiv_coordinates { prt_real theta[PRT__LANES], phi[PRT__LANES], distance[PRT__LANES]; } prt__fiv_coordinates;
+/* Where lanes stand in a grid: the sample before them in theta, phi and rho, how many samples on the next one in each of
+   these stands, and the weights of the eight, bit 0 of whose number is phi, bit 1 theta, bit 2 rho; the fall-off beyond
+   the last distance is in the weights. */
+typedef struct prt__fiv_cells {
+    size_t at[PRT__LANES];
+    ptrdiff_t phi[PRT__LANES], theta, rho[PRT__LANES];
+    prt_real weight[8][PRT__LANES];
+} prt__fiv_cells;
 
-PRT__STATIC void prt__fiv_coordinates_of(const prt__fiv_grid *g, const prt__fiv_polar *p, prt__fiv_coordinates *c) {
-    prt__vec theta = prt__vec_angle(prt__vec_root(p->x * p->x + p->y * p->y), p->z);
-    prt__vec phi = prt__vec_angle(prt__vec_abs(p->y), p->x), zero = prt__vec_set(0);
-    prt_real rows = (prt_real)(g->theta_count - 1), columns = (prt_real)g->phi_count;
-    phi = PRT__SELECT(p->y < 0, PRT__R(2 * PRT__PI) - phi, phi);
-    prt__vec_store(c->theta, prt__vec_clamp(theta * (rows / PRT__R(PRT__PI)), zero, prt__vec_set(rows)));
-    prt__vec_store(c->phi, prt__vec_clamp(phi * (columns / PRT__R(2 * PRT__PI)), zero, prt__vec_set(columns)));
-    prt__vec_store(c->distance, p->distance);
-}
-
-/* The 8 samples around a place and their weights, the fall-off beyond the last distance among them. */
-typedef struct prt__fiv_corners { size_t at[8]; prt_real weight[8]; } prt__fiv_corners;
-
-/* The interval of rho that holds a distance, by bisection: ends whatever the order of rho is. */
+/* The interval of rho that holds a distance, by bisection without a branch to guess; ends whatever the order of rho is. */
 PRT__INLINE int prt__fiv_interval(int count, const prt_real *rho, prt_real distance) {
-    int low = 0, high = count - 1;
-    while (high - low > 1) {
-        int middle = low + (high - low) / 2;
-        if (rho[middle] <= distance) low = middle; else high = middle;
+    int low = 0, left = count - 1;                             /* intervals from low on */
+    while (left > 1) {
+        int half = left / 2;
+        low += rho[low + half] <= distance ? half : 0;
+        left -= half;
     }
     return low;
 }
 
-PRT__STATIC void prt__fiv_corners_of(const prt__fiv_grid *g, prt_real theta, prt_real phi, prt_real distance,
-                                     prt__fiv_corners *c) {
-    int i = (int)theta, j = (int)phi, k = prt__fiv_interval(g->rho_count, g->rho, distance), n;
-    int i1, j1, k1 = k + 1 < g->rho_count ? k + 1 : k;
-    prt_real last = g->rho[g->rho_count - 1], fall = 1, t, p, r = (distance - g->rho[k]) / (g->rho[k1] - g->rho[k]);
-    size_t phis = (size_t)g->phi_count, row[4];
-    if (i > g->theta_count - 2) i = g->theta_count > 1 ? g->theta_count - 2 : 0;
-    if (j >= g->phi_count) j = g->phi_count - 1;
-    i1 = g->theta_count > 1 ? i + 1 : i;
-    j1 = j + 1 < g->phi_count ? j + 1 : 0;
-    t = theta - (prt_real)i;
-    p = phi - (prt_real)j;
-    r = prt__clamp(r, 0, 1);
-    if (distance > last && last > 0) fall = (last / distance) * (last / distance);
-    row[0] = ((size_t)k * (size_t)g->theta_count + (size_t)i) * phis;
-    row[1] = ((size_t)k * (size_t)g->theta_count + (size_t)i1) * phis;
-    row[2] = ((size_t)k1 * (size_t)g->theta_count + (size_t)i) * phis;
-    row[3] = ((size_t)k1 * (size_t)g->theta_count + (size_t)i1) * phis;
-    c->weight[0] = c->weight[1] = (1 - r) * (1 - t) * fall;
-    c->weight[2] = c->weight[3] = (1 - r) * t * fall;
-    c->weight[4] = c->weight[5] = r * (1 - t) * fall;
-    c->weight[6] = c->weight[7] = r * t * fall;
-    for (n = 0; n < 8; n += 2) {
-        c->at[n] = row[n / 2] + (size_t)j;
-        c->at[n + 1] = row[n / 2] + (size_t)j1;
-        c->weight[n] *= 1 - p;
-        c->weight[n + 1] *= p;
+PRT__INLINE void prt__fiv_weights(const prt_real *p, const prt_real *t, prt__vec r, prt__vec fall,
+                                  prt_real (*weight)[PRT__LANES]) {
+    prt__vec phi = prt__vec_load(p), theta = prt__vec_load(t), w[4];
+    int k;
+    w[3] = r * fall; w[1] = fall - w[3];
+    w[2] = w[3] - w[3] * theta; w[3] = w[3] * theta;
+    w[0] = w[1] - w[1] * theta; w[1] = w[1] * theta;
+    for (k = 0; k < 4; k++) {
+        prt__vec_store(weight[2 * k + 1], w[k] * phi);
+        prt__vec_store(weight[2 * k], w[k] - w[k] * phi);
     }
 }
 
-/* Drops the corners that lie inside, unless all with a weight do, and those that `good` denies; raises the others. */
-PRT__STATIC void prt__fiv_leave_out(const prt__fiv_grid *g, prt__fiv_corners *c, const unsigned char good[8]) {
+PRT__STATIC void prt__fiv_cells_of(const prt__fiv_grid *g, const prt__fiv_polar *p, int lanes, prt__fiv_cells *c) {
+    prt_real theta[PRT__LANES], phi[PRT__LANES], distance[PRT__LANES], low[PRT__LANES] = { 0 }, high[PRT__LANES] = { 0 };
+    prt__vec angle = prt__vec_angle(prt__vec_abs(p->y), p->x), zero = prt__vec_set(0), fall = prt__vec_set(1), far, r;
+    prt_real rows = (prt_real)(g->theta_count - 1), columns = (prt_real)g->phi_count, last = g->rho[g->rho_count - 1];
+    size_t ring = (size_t)g->phi_count, shell = (size_t)g->theta_count * ring;
+    int lane;
+    angle = PRT__SELECT(p->y < zero, PRT__R(2 * PRT__PI) - angle, angle);
+    prt__vec_store(phi, prt__vec_clamp(angle * (columns / PRT__R(2 * PRT__PI)), zero, prt__vec_set(columns)));
+    angle = prt__vec_angle(prt__vec_root(p->x * p->x + p->y * p->y), p->z);
+    prt__vec_store(theta, prt__vec_clamp(angle * (rows / PRT__R(PRT__PI)), zero, prt__vec_set(rows)));
+    prt__vec_store(distance, p->distance);
+    c->theta = g->theta_count > 1 ? (ptrdiff_t)ring : 0;
+    for (lane = 0; lane < lanes; lane++) {
+        int i = (int)theta[lane], j = (int)phi[lane], k = prt__fiv_interval(g->rho_count, g->rho, distance[lane]);
+        int more = k + 1 < g->rho_count;
+        i = i < g->theta_count - 1 ? i : g->theta_count - 2;
+        i = i > 0 ? i : 0;                                     /* whatever the compiler thinks of NaN */
+        j = j < g->phi_count ? j : g->phi_count - 1;
+        j = j > 0 ? j : 0;
+        theta[lane] -= (prt_real)i;
+        phi[lane] -= (prt_real)j;
+        low[lane] = g->rho[k];
+        high[lane] = g->rho[k + more];
+        c->at[lane] = (size_t)k * shell + (size_t)i * ring + (size_t)j;
+        c->phi[lane] = j + 1 < g->phi_count ? 1 : -(ptrdiff_t)j;
+        c->rho[lane] = more ? (ptrdiff_t)shell : 0;
+    }
+    far = prt__vec_set(last) / PRT__SELECT(p->distance > zero, p->distance, prt__vec_set(1));
+    if (last > 0) fall = PRT__SELECT(far < fall, far * far, fall);
+    r = (p->distance - prt__vec_load(low)) / (prt__vec_load(high) - prt__vec_load(low));
+    prt__fiv_weights(phi, theta, prt__vec_clamp(r, zero, prt__vec_set(1)), fall, c->weight);
+}
+
+/* How far from the first the corner k of a lane stands. */
+PRT__INLINE ptrdiff_t prt__fiv_corner(const prt__fiv_cells *c, int lane, int k) {
+    return (k & 1 ? c->phi[lane] : 0) + (k & 2 ? c->theta : 0) + (k & 4 ? c->rho[lane] : 0);
+}
+
+PRT__STATIC int prt__fiv_any_inside(const prt__fiv_grid *g, const prt__fiv_cells *c, int lane) {
+    int any = 0, k;
+    for (k = 0; k < 8; k++) any |= g->inside[c->at[lane] + (size_t)prt__fiv_corner(c, lane, k)];
+    return any;
+}
+
+/* The corners of a lane, and their weights without those that lie inside, unless all with a weight do, and those that
+   `good` (NULL: none) denies; the others are raised. */
+PRT__STATIC void prt__fiv_corners(const prt__fiv_grid *g, const prt__fiv_cells *c, int lane, const unsigned char *good,
+                                  size_t at[8], prt_real weight[8]) {
     prt_real all = 0, kept = 0;
+    unsigned char in[8];
     int outside = 0, k;
-    for (k = 0; k < 8; k++) outside |= c->weight[k] > 0 && (!g->inside || !g->inside[c->at[k]]);
     for (k = 0; k < 8; k++) {
-        all += c->weight[k];
-        if (!good[k] || (outside && g->inside && g->inside[c->at[k]])) c->weight[k] = 0;
-        kept += c->weight[k];
+        at[k] = c->at[lane] + (size_t)prt__fiv_corner(c, lane, k);
+        in[k] = g->inside ? g->inside[at[k]] : 0;
+        outside |= c->weight[k][lane] > 0 && !in[k];
     }
-    for (k = 0; k < 8; k++) c->weight[k] = kept > 0 ? c->weight[k] / kept * all : 0;
-}
-
-PRT__INLINE int prt__fiv_any_inside(const prt__fiv_grid *g, const prt__fiv_corners *c) {
-    const unsigned char *in = g->inside;
-    return in && (in[c->at[0]] | in[c->at[1]] | in[c->at[2]] | in[c->at[3]] | in[c->at[4]] | in[c->at[5]] | in[c->at[6]]
-                  | in[c->at[7]]);
+    for (k = 0; k < 8; k++) {
+        all += c->weight[k][lane];
+        weight[k] = (good && !good[k]) || (outside && in[k]) ? 0 : c->weight[k][lane];
+        kept += weight[k];
+    }
+    for (k = 0; k < 8; k++) weight[k] = kept > 0 ? weight[k] / kept * all : 0;
 }
 
 /* out[0...8] = sum of weight times sample. */
-PRT__STATIC void prt__fiv_sum(const prt_fiv *samples, const prt__fiv_corners *c, prt_real *out) {
+PRT__INLINE void prt__fiv_sum(const prt_fiv *samples, const prt__fiv_cells *c, int lane, prt_real *out) {
+    const prt_fiv *first = samples + c->at[lane];
     int k;
 #if PRT__SIMD
     prt__quad low, high, a = { 0, 0, 0, 0 }, b = { 0, 0, 0, 0 };
     prt_real last = 0;
     for (k = 0; k < 8; k++) {
-        const prt_real *sample = &samples[c->at[k]].r.x;
+        const prt_fiv *sample = first + prt__fiv_corner(c, lane, k);
+        prt_real w = c->weight[k][lane];
         memcpy(&low, sample, sizeof low);
-        memcpy(&high, sample + 4, sizeof high);
-        a += c->weight[k] * low;
-        b += c->weight[k] * high;
-        last += c->weight[k] * samples[c->at[k]].b.z;
+        memcpy(&high, &sample->g.y, sizeof high);
+        a += w * low;
+        b += w * high;
+        last += w * sample->b.z;
     }
     memcpy(out, &a, sizeof a);
     memcpy(out + 4, &b, sizeof b);
@@ -5509,65 +5592,61 @@ PRT__STATIC void prt__fiv_sum(const prt_fiv *samples, const prt__fiv_corners *c,
     int i;
     for (i = 0; i < 9; i++) out[i] = 0;
     for (k = 0; k < 8; k++) {
-        memcpy(sample, &samples[c->at[k]], sizeof sample);
-        for (i = 0; i < 9; i++) out[i] += c->weight[k] * sample[i];
+        memcpy(sample, first + prt__fiv_corner(c, lane, k), sizeof sample);
+        for (i = 0; i < 9; i++) out[i] += c->weight[k][lane] * sample[i];
     }
 #endif
-}
-
-PRT__INLINE int prt__fiv_nine_finite(const prt_real *v) {
-    prt_real sum = v[0] + v[1] + v[2] + v[3] + v[4] + v[5] + v[6] + v[7] + v[8];
-    return prt__finite(sum);
 }
 
 PRT__STATIC int prt__fiv_sample_finite(const prt_fiv *s) {
     return prt__finite3(s->r) && prt__finite3(s->g) && prt__finite3(s->b);
 }
 
-/* The sum where a sample is inside, or something is not finite. Halved twice on the way, so that eight finite samples
-   cannot overflow. */
-PRT__STATIC void prt__fiv_sum_carefully(const prt__fiv_grid *g, const prt_fiv *samples, prt__fiv_corners *c, prt_real *out) {
+/* The sum where a sample is inside, or something is not finite. Taken at a quarter of its size, so that finite samples
+   cannot overflow on the way. */
+PRT__STATIC void prt__fiv_sum_carefully(const prt__fiv_grid *g, const prt_fiv *samples, const prt__fiv_cells *c, int lane,
+                                        prt_real *out) {
     unsigned char good[8];
-    prt_real sample[9];
+    prt_real sample[9], weight[8];
+    size_t at[8];
     int k, i;
-    for (k = 0; k < 8; k++) good[k] = (unsigned char)prt__fiv_sample_finite(&samples[c->at[k]]);
-    prt__fiv_leave_out(g, c, good);
+    for (k = 0; k < 8; k++)
+        good[k] = (unsigned char)prt__fiv_sample_finite(samples + c->at[lane] + prt__fiv_corner(c, lane, k));
+    prt__fiv_corners(g, c, lane, good, at, weight);
     for (i = 0; i < 9; i++) out[i] = 0;
     for (k = 0; k < 8; k++) {
         if (!good[k]) continue;
-        memcpy(sample, &samples[c->at[k]], sizeof sample);
-        for (i = 0; i < 9; i++) out[i] += c->weight[k] * PRT__R(0.25) * sample[i];
+        memcpy(sample, samples + at[k], sizeof sample);
+        for (i = 0; i < 9; i++) out[i] += weight[k] * PRT__R(0.25) * sample[i];
     }
     for (i = 0; i < 9; i++) out[i] = 4 * prt__clamp(out[i], -PRT__REAL_MAX / 4, PRT__REAL_MAX / 4);
 }
 
-PRT__STATIC void prt__fiv_blend(const prt__fiv_grid *g, const prt_fiv *samples, const prt__fiv_coordinates *at, int lane,
+PRT__STATIC void prt__fiv_blend(const prt__fiv_grid *g, const prt_fiv *samples, const prt__fiv_cells *c, int lane,
                                 prt_real *out) {
-    prt__fiv_corners c;
-    prt__fiv_corners_of(g, at->theta[lane], at->phi[lane], at->distance[lane], &c);
-    if (!prt__fiv_any_inside(g, &c)) {
-        prt__fiv_sum(samples, &c, out);
-        if (prt__fiv_nine_finite(out)) return;
+    if (!g->inside || !prt__fiv_any_inside(g, c, lane)) {
+        prt__fiv_sum(samples, c, lane, out);
+        if (prt__finite(out[0] + out[1] + out[2] + out[3] + out[4] + out[5] + out[6] + out[7] + out[8])) return;
     }
-    prt__fiv_sum_carefully(g, samples, &c, out);
+    prt__fiv_sum_carefully(g, samples, c, lane, out);
 }
 
-/* What a single place sees; for lookups of one. */
-PRT__STATIC void prt__fiv_place_in(const prt__fiv_grid *g, prt_vec3 to, prt__fiv_coordinates *at) {
+/* Where one place stands, in lane 0. */
+PRT__STATIC void prt__fiv_cell_of(const prt__fiv_grid *g, prt_vec3 to, prt__fiv_cells *c) {
     prt__fiv_polar p = prt__fiv_polar_of(prt__vec_set(to.x), prt__vec_set(to.y), prt__vec_set(to.z));
-    prt__fiv_coordinates_of(g, &p, at);
+    prt__fiv_cells_of(g, &p, 1, c);
 }
 
 PRTDEF prt_result prt_fiv_lookup(const prt_fiv_table *table, prt_vec3 from_receiver_to_centre, prt_fiv *out) {
-    prt__fiv_coordinates at;
+    prt__fiv_cells cells;
     prt__fiv_grid grid;
     prt_real values[9];
     if (!table) return PRT_ERR_NULL;
     if (!prt__fiv_table_ok(table)) return PRT_ERR_COUNT;
     if (!table->rho || !table->samples || !out) return PRT_ERR_NULL;
     grid = prt__fiv_grid_of(table);
-    prt__fiv_place_in(&grid, from_receiver_to_centre, &at);
-    prt__fiv_blend(&grid, table->samples, &at, 0, values);
+    prt__fiv_cell_of(&grid, from_receiver_to_centre, &cells);
+    prt__fiv_blend(&grid, table->samples, &cells, 0, values);
     memcpy(out, values, sizeof values);
     return PRT_OK;
 }
@@ -5587,19 +5666,19 @@ typedef struct prt__fiv_seen { prt__vec x, y, z, disc, disc2, taken[3]; int lit;
 /* The vectors of occluder k in the lanes that `lit` names, nine rows of lanes. */
 PRT__STATIC void prt__fiv_vectors(const prt__fiv_scene *s, int k, const prt__fiv_polar *p, const prt_real *lit,
                                   prt_real (*rows)[PRT__LANES]) {
-    prt__fiv_coordinates at;
+    prt__fiv_cells cells;
     prt__fiv_grid grid;
     prt_real v[9];
     int lane, i;
     memset(rows, 0, 9 * sizeof *rows);
     if (!s->hidden) {
         grid = prt__fiv_grid_of(s->occluders[k].table);
-        prt__fiv_coordinates_of(&grid, p, &at);
+        prt__fiv_cells_of(&grid, p, s->lanes, &cells);
     }
     for (lane = 0; lane < s->lanes; lane++) {
         if (!(lit[lane] > 0)) continue;
         if (s->hidden) memcpy(v, &s->hidden[k].fiv, sizeof v);
-        else prt__fiv_blend(&grid, s->occluders[k].table->samples, &at, lane, v);
+        else prt__fiv_blend(&grid, s->occluders[k].table->samples, &cells, lane, v);
         for (i = 0; i < 9; i++) rows[i][lane] = v[i];
     }
 }
@@ -5794,6 +5873,301 @@ PRTDEF prt_result prt_fiv_self(const prt_fiv *environment, const prt_fiv_table *
     irradiance->r = prt__clamp(all.r - taken.r, 0, PRT__REAL_MAX);
     irradiance->g = prt__clamp(all.g - taken.g, 0, PRT__REAL_MAX);
     irradiance->b = prt__clamp(all.b - taken.b, 0, PRT__REAL_MAX);
+    return PRT_OK;
+}
+
+/* Whether samples first ... first+count-1 exist in a grid. */
+PRT__STATIC int prt__fiv_range_ok(int theta_count, int phi_count, int rho_count, int first, int count) {
+    size_t total;
+    if (theta_count < 1 || phi_count < 1 || rho_count < 1 || first < 0 || count < 0) return 0;
+    total = (size_t)theta_count * (size_t)phi_count;
+    if ((size_t)rho_count > SIZE_MAX / total) return 0;
+    return (size_t)first <= total * (size_t)rho_count && (size_t)count <= total * (size_t)rho_count - (size_t)first;
+}
+
+PRT__STATIC prt_result prt__fiv_transfer_check(const prt_fiv_transfer *t) {
+    if (!t) return PRT_ERR_NULL;
+    if (!prt__bands_ok(t->bands) || t->bands == PRT_MAX_BANDS) return PRT_ERR_BANDS;
+    return t->theta_count >= 1 && t->phi_count >= 1 && t->rho_count >= 1 ? PRT_OK : PRT_ERR_COUNT;
+}
+
+/* w_a times a function of `bands` bands, in one band more: out[a][(bands+1)^2]. */
+PRT__STATIC void prt__fiv_raise(int bands, const prt_real *f, prt_real *out) {
+    static const int place[3] = { PRT_SH_INDEX(1, 1), PRT_SH_INDEX(1, -1), PRT_SH_INDEX(1, 0) };
+    prt_real padded[PRT_SH_COUNT(PRT_MAX_BANDS)], axis[PRT_SH_COUNT(PRT_MAX_BANDS)];
+    int more = PRT_SH_COUNT(bands + 1), a;
+    memset(padded, 0, (size_t)more * sizeof *padded);
+    memset(axis, 0, (size_t)more * sizeof *axis);
+    memcpy(padded, f, (size_t)PRT_SH_COUNT(bands) * sizeof *padded);
+    for (a = 0; a < 3; a++) {
+        axis[place[a]] = PRT__R(2.04665341589297697696);       /* sqrt(4 pi/3) */
+        prt_sh_product(bands + 1, padded, axis, out + (size_t)a * (size_t)more);
+        axis[place[a]] = 0;
+    }
+}
+
+PRTDEF prt_result prt_fiv_transfer_light(int bands, const prt_real rotation[9], const prt_real *light, prt_real *vectors) {
+    prt_real back[9], turned[PRT_SH_COUNT(PRT_MAX_BANDS)];
+    size_t n, more;
+    int c, k, i;
+    if (!prt__bands_ok(bands) || bands == PRT_MAX_BANDS) return PRT_ERR_BANDS;
+    if (!light || !vectors) return PRT_ERR_NULL;
+    n = (size_t)PRT_SH_COUNT(bands);
+    more = (size_t)PRT_SH_COUNT(bands + 1);
+    for (k = 0; rotation && k < 9; k++) back[k] = rotation[k % 3 * 3 + k / 3];
+    for (c = 0; c < 3; c++) {
+        prt_real *x = vectors + (size_t)(3 * c) * more, *y = x + more, *z = y + more;
+        if (rotation) {
+            prt_result r = prt_sh_rotate(bands, back, light + (size_t)c * n, turned);
+            if (r != PRT_OK) return r;
+        }
+        prt__fiv_raise(bands, rotation ? turned : light + (size_t)c * n, x);
+        for (i = 0; rotation && i < (int)more; i++) {
+            prt_vec3 v = prt__vec3(x[i], y[i], z[i]);
+            x[i] = rotation[0] * v.x + rotation[1] * v.y + rotation[2] * v.z;
+            y[i] = rotation[3] * v.x + rotation[4] * v.y + rotation[5] * v.z;
+            z[i] = rotation[6] * v.x + rotation[7] * v.y + rotation[8] * v.z;
+        }
+    }
+    return PRT_OK;
+}
+
+/* The vectors of a projection V under the light that `vectors` stand for. */
+PRT__STATIC prt_fiv prt__fiv_under(int count, const prt_real *hidden, const prt_real *vectors) {
+    prt_rgb v[3];
+    prt_fiv out;
+    int c;
+    for (c = 0; c < 3; c++) v[c] = prt__shade(count, hidden, vectors + (size_t)(3 * c) * (size_t)count);
+    out.r = prt__vec3(v[0].r, v[0].g, v[0].b);
+    out.g = prt__vec3(v[1].r, v[1].g, v[1].b);
+    out.b = prt__vec3(v[2].r, v[2].g, v[2].b);
+    return out;
+}
+
+/* out = sum of weight times sample, `count` numbers each; samples of weight 0 are not read. */
+PRT__STATIC void prt__fiv_mix(int count, const prt_real *samples, const size_t at[8], const prt_real weight[8],
+                              prt_real *out) {
+    int k, i;
+    memset(out, 0, (size_t)count * sizeof *out);
+    for (k = 0; k < 8; k++) {
+        const prt_real *sample = samples + at[k] * (size_t)count;
+        prt__vec w = prt__vec_set(weight[k]);
+        if (!(weight[k] > 0)) continue;
+        for (i = 0; i + PRT__LANES <= count; i += PRT__LANES)
+            prt__vec_store(out + i, prt__vec_load(out + i) + w * prt__vec_load(sample + i));
+        for (; i < count; i++) out[i] += weight[k] * sample[i];
+    }
+}
+
+PRT__STATIC int prt__fiv_all_finite(int count, const prt_real *v) {
+    int i, ok = 1;
+    for (i = 0; i < count; i++) ok &= prt__finite(v[i]);
+    return ok;
+}
+
+PRTDEF prt_result prt_fiv_transfer_lookup(const prt_fiv_transfer *table, const prt_real rotation[9],
+                                          const prt_real *vectors, prt_vec3 from_receiver_to_centre, prt_fiv *out) {
+    prt_real hidden[PRT_SH_COUNT(PRT_MAX_BANDS)], weight[8];
+    prt_vec3 to = from_receiver_to_centre, turned = to;
+    prt_result r = prt__fiv_transfer_check(table);
+    unsigned char good[8];
+    prt__fiv_grid g;
+    prt__fiv_cells c;
+    size_t at[8];
+    int n, k;
+    if (r != PRT_OK) return r;
+    if (!table->rho || !table->samples || !vectors || !out) return PRT_ERR_NULL;
+    if (rotation) turned = prt__vec3(rotation[0] * to.x + rotation[3] * to.y + rotation[6] * to.z,
+                                     rotation[1] * to.x + rotation[4] * to.y + rotation[7] * to.z,
+                                     rotation[2] * to.x + rotation[5] * to.y + rotation[8] * to.z);
+    n = PRT_SH_COUNT(table->bands + 1);
+    g.theta_count = table->theta_count; g.phi_count = table->phi_count; g.rho_count = table->rho_count;
+    g.rho = table->rho;
+    g.inside = table->inside;
+    prt__fiv_cell_of(&g, turned, &c);
+    prt__fiv_corners(&g, &c, 0, 0, at, weight);
+    prt__fiv_mix(n, table->samples, at, weight, hidden);
+    *out = prt__fiv_under(n, hidden, vectors);
+    if (prt__fiv_sample_finite(out)) return PRT_OK;
+    for (k = 0; k < 8; k++) good[k] = (unsigned char)prt__fiv_all_finite(n, table->samples + at[k] * (size_t)n);
+    prt__fiv_corners(&g, &c, 0, good, at, weight);
+    prt__fiv_mix(n, table->samples, at, weight, hidden);
+    *out = prt__fiv_under(n, hidden, vectors);
+    if (!prt__fiv_sample_finite(out)) memset(out, 0, sizeof *out);
+    return PRT_OK;
+}
+
+PRTDEF prt_result prt_fiv_transfer_samples(const prt_fiv_transfer *table, const prt_real *vectors, int first, int count,
+                                           prt_fiv *samples) {
+    prt_result r = prt__fiv_transfer_check(table);
+    int n, k;
+    if (r != PRT_OK) return r;
+    if (!prt__fiv_range_ok(table->theta_count, table->phi_count, table->rho_count, first, count)) return PRT_ERR_COUNT;
+    if (!table->samples || !vectors || (count > 0 && !samples)) return PRT_ERR_NULL;
+    n = PRT_SH_COUNT(table->bands + 1);
+    for (k = first; k < first + count; k++)
+        samples[k] = prt__fiv_under(n, table->samples + (size_t)k * (size_t)n, vectors);
+    return PRT_OK;
+}
+
+/* The half nearest to |v| <= 65504, ties to even: through the bits of a float. */
+PRT__STATIC uint16_t prt__half_of(prt_real v) {
+    float f = (float)v;
+    uint32_t bits, sign, rest;
+    int shift;
+    memcpy(&bits, &f, sizeof bits);
+    sign = bits >> 16 & 0x8000u;
+    bits &= 0x7fffffffu;
+    if (bits < 0x33000000u) return (uint16_t)sign;             /* below half the least subnormal */
+    shift = bits < 0x38800000u ? 126 - (int)(bits >> 23) : 13;
+    rest = bits < 0x38800000u ? (bits & 0x7fffffu) | 0x800000u : bits - 0x38000000u;
+    rest += (1u << (shift - 1)) - 1 + (rest >> shift & 1u);
+    return (uint16_t)(sign | rest >> shift);
+}
+
+PRT__INLINE prt_real prt__real_of_half(uint16_t half) {        /* infinity and NaN do not occur */
+    uint32_t bits = (half & 0x7fffu) << 13;
+    float f;
+    memcpy(&f, &bits, sizeof f);
+    f *= 5.192296858534828e33f;                                /* 2^112 moves the exponent, subnormals included */
+    return (prt_real)(half & 0x8000u ? -f : f);
+}
+
+/* Sample at index `at`, in the slice of distance k. */
+PRT__INLINE void prt__fiv_decode(const prt_fiv_packed *p, size_t at, size_t k, prt_real *out) {
+    prt_real low[9], step[9];
+    int i;
+    if (p->bits == 16) {
+        const uint16_t *half = (const uint16_t *)p->data + at * 9;
+        for (i = 0; i < 9; i++) out[i] = prt__real_of_half(half[i]);
+    } else {
+        const unsigned char *byte = (const unsigned char *)p->data + at * 9;
+        memcpy(low, &p->low[k], sizeof low);
+        memcpy(step, &p->step[k], sizeof step);
+        for (i = 0; i < 9; i++) out[i] = low[i] + step[i] * (prt_real)byte[i];
+    }
+}
+
+PRTDEF size_t prt_fiv_packed_size(const prt_fiv_table *table, int bits) {
+    size_t all, sample = (size_t)bits / 8 * 9;
+    if (!table || !prt__fiv_table_ok(table) || (bits != 8 && bits != 16)) return 0;
+    all = (size_t)table->theta_count;
+    if ((size_t)table->phi_count > SIZE_MAX / sample / all) return 0;
+    all *= (size_t)table->phi_count;
+    return (size_t)table->rho_count > SIZE_MAX / sample / all ? 0 : all * (size_t)table->rho_count * sample;
+}
+
+/* Least values and steps of one distance. */
+PRT__STATIC void prt__fiv_spread(const prt_fiv *samples, size_t count, prt_fiv *low, prt_fiv *step) {
+    prt_real v[9], least[9], most[9];
+    size_t k;
+    int i;
+    memcpy(least, samples, sizeof least);
+    memcpy(most, samples, sizeof most);
+    for (k = 1; k < count; k++) {
+        memcpy(v, &samples[k], sizeof v);
+        for (i = 0; i < 9; i++) {
+            if (v[i] < least[i]) least[i] = v[i];
+            if (v[i] > most[i]) most[i] = v[i];
+        }
+    }
+    for (i = 0; i < 9; i++) most[i] = most[i] / 255 - least[i] / 255;
+    memcpy(low, least, sizeof least);
+    memcpy(step, most, sizeof most);
+}
+
+PRT__STATIC int prt__fiv_all_in_range(const prt_fiv_table *t, size_t count, prt_real most) {
+    prt_real v[9];
+    size_t k;
+    int i, ok = 1;
+    for (k = 0; k < count; k++) {
+        memcpy(v, &t->samples[k], sizeof v);
+        for (i = 0; i < 9; i++) ok &= v[i] <= most && v[i] >= -most;
+    }
+    return ok;
+}
+
+PRT__STATIC void prt__fiv_encode(const prt_fiv_packed *p, size_t ring, void *data) {
+    size_t all = ring * (size_t)p->grid.rho_count, k;
+    prt_real v[9], low[9], step[9];
+    int i;
+    for (k = 0; k < all; k++) {
+        memcpy(v, &p->grid.samples[k], sizeof v);
+        if (p->bits == 16) {
+            for (i = 0; i < 9; i++) ((uint16_t *)data)[k * 9 + (size_t)i] = prt__half_of(v[i]);
+            continue;
+        }
+        memcpy(low, &p->low[k / ring], sizeof low);
+        memcpy(step, &p->step[k / ring], sizeof step);
+        for (i = 0; i < 9; i++) {
+            prt_real at = step[i] > 0 ? (v[i] - low[i]) / step[i] : 0;
+            ((unsigned char *)data)[k * 9 + (size_t)i] = (unsigned char)(prt__clamp(at, 0, 255) + PRT__R(0.5));
+        }
+    }
+}
+
+PRTDEF prt_result prt_fiv_pack(const prt_fiv_table *table, int bits, void *data, prt_fiv *low, prt_fiv *step,
+                               prt_fiv_packed *packed) {
+    size_t ring;
+    int k;
+    if (!table) return PRT_ERR_NULL;
+    if (!prt_fiv_packed_size(table, bits)) return PRT_ERR_COUNT;
+    if (!table->samples || !data || !packed || (bits == 8 && (!low || !step))) return PRT_ERR_NULL;
+    ring = (size_t)table->theta_count * (size_t)table->phi_count;
+    if (!prt__fiv_all_in_range(table, ring * (size_t)table->rho_count, bits == 16 ? 65504 : PRT__REAL_MAX))
+        return PRT_ERR_VALUE;
+    for (k = 0; bits == 8 && k < table->rho_count; k++)
+        prt__fiv_spread(table->samples + ring * (size_t)k, ring, low + k, step + k);
+    packed->grid = *table;
+    packed->bits = bits;
+    packed->data = data;
+    packed->low = low;
+    packed->step = step;
+    prt__fiv_encode(packed, ring, data);
+    return PRT_OK;
+}
+
+PRT__STATIC prt_result prt__fiv_packed_check(const prt_fiv_packed *p) {
+    if (!p) return PRT_ERR_NULL;
+    if (!prt_fiv_packed_size(&p->grid, p->bits)) return PRT_ERR_COUNT;
+    return !p->data || (p->bits == 8 && (!p->low || !p->step)) ? PRT_ERR_NULL : PRT_OK;
+}
+
+PRTDEF prt_result prt_fiv_packed_lookup(const prt_fiv_packed *packed, prt_vec3 from_receiver_to_centre, prt_fiv *out) {
+    prt_real weight[8], v[9], sum[9] = { 0 };
+    prt_result r = prt__fiv_packed_check(packed);
+    prt__fiv_grid g;
+    prt__fiv_cells c;
+    size_t at[8], ring;
+    int k, i;
+    if (r != PRT_OK) return r;
+    if (!packed->grid.rho || !out) return PRT_ERR_NULL;
+    g = prt__fiv_grid_of(&packed->grid);
+    ring = (size_t)g.theta_count * (size_t)g.phi_count;
+    prt__fiv_cell_of(&g, from_receiver_to_centre, &c);
+    prt__fiv_corners(&g, &c, 0, 0, at, weight);
+    for (k = 0; k < 8; k++) {
+        prt__fiv_decode(packed, at[k], at[k] / ring, v);
+        for (i = 0; i < 9; i++) sum[i] += weight[k] * v[i];
+    }
+    memcpy(out, sum, sizeof sum);
+    return PRT_OK;
+}
+
+PRTDEF prt_result prt_fiv_unpack(const prt_fiv_packed *packed, int first, int count, prt_fiv *samples) {
+    prt_result r = prt__fiv_packed_check(packed);
+    size_t ring;
+    prt_real v[9];
+    int k;
+    if (r != PRT_OK) return r;
+    if (!prt__fiv_range_ok(packed->grid.theta_count, packed->grid.phi_count, packed->grid.rho_count, first, count))
+        return PRT_ERR_COUNT;
+    if (count > 0 && !samples) return PRT_ERR_NULL;
+    ring = (size_t)packed->grid.theta_count * (size_t)packed->grid.phi_count;
+    for (k = first; k < first + count; k++) {
+        prt__fiv_decode(packed, (size_t)k, (size_t)k / ring, v);
+        memcpy(&samples[k], v, sizeof v);
+    }
     return PRT_OK;
 }
 

@@ -307,6 +307,20 @@ PRTDEF prt_result prt_fiv_distances(int count, prt_real nearest, prt_real farthe
    Memory: 48 bytes a texel (float; double 96), PRT_BAKE_BATCH rays. */
 PRTDEF prt_result prt_bake_fiv_table(const prt_fiv_desc *desc, int first, int count, prt_fiv *samples);
 
+/* Bytes of samples[prt_bake_fiv_count][(bands+1)^2], 0 if an argument is out of range or a size_t does not hold it. */
+PRTDEF size_t prt_bake_fiv_transfer_size(const prt_fiv_desc *desc, int bands);
+
+/* The same for every light of `bands` bands, 1 ... PRT_MAX_BANDS - 1 (prt_fiv_transfer):
+     samples[k][j] = int over the hidden directions of Y_j dw,  (bands+1)^2 of them,
+   from desc->rays rays [1024] a sample, a Fibonacci lattice over the cap around the bounding sphere, moved at random from
+   sample to sample. env is not read. Errors: as prt_bake_fiv_table without those of env, PRT_ERR_BANDS, PRT_ERR_CAPACITY.
+   A batch holds rays of one sample only. Accuracy: as prt_bake_transfer's by rays, in units of the cap. */
+PRTDEF prt_result prt_bake_fiv_transfer(const prt_fiv_desc *desc, int bands, int first, int count, prt_real *samples);
+
+/* The transfer table made of a desc and what was baked from it, as prt_fiv_table_of. */
+PRTDEF prt_fiv_transfer prt_fiv_transfer_of(const prt_fiv_desc *desc, int bands, const prt_real *samples,
+                                            const unsigned char *inside);
+
 /* Which samples lie inside the object, for the same range: inside[k] = 1 where more than half of 64 rays meet the back of
    a surface first (hit.normal along the ray), so that meshes with holes count as closed; 0 elsewhere and wherever
    rho > radius. Uses tracer->closest. Errors: as prt_bake_fiv_table, without env. */
@@ -619,10 +633,11 @@ PRT__STATIC prt__frame prt__frame_about(prt_vec3 normal) {
     return f;
 }
 
-/* Members base ... base+count-1 of the lattice, cosine-mapped into the frame, to x, y, z; base is a multiple of 64,
-   count at most 64. Whole vectors are written: finite numbers stand behind the last member, up to lane 64. */
-PRT__STATIC void prt__cosine_block(const prt__lattice *s, const prt__steps *steps, const prt__frame *f, int base,
-                                   int count, prt_real *x, prt_real *y, prt_real *z) {
+/* Members base ... base+count-1 of the lattice, cosine-mapped into the frame or, where lid > 0, evenly over the cap of
+   height lid about its axis, to x, y, z; base is a multiple of 64, count at most 64. Whole vectors are written: finite
+   numbers stand behind the last member, up to lane 64. */
+PRT__INLINE void prt__lattice_block(const prt__lattice *s, const prt__steps *steps, const prt__frame *f, double lid,
+                                    int base, int count, prt_real *x, prt_real *y, prt_real *z) {
     double angle = 2 * PRT__PI * prt__unit64(prt__lattice_v(s, base)), c = cos(angle), w = sin(angle);
     double u = prt__lattice_u(s, base);
     prt_real t[3], b[3], n[3];
@@ -636,12 +651,19 @@ PRT__STATIC void prt__cosine_block(const prt__lattice *s, const prt__steps *step
     }
     for (k = 0; k < count; k += PRT__LANES) {
         prt__vec along = prt__vec_load(steps->member + k) * cell;
-        prt__vec r = prt__vec_root(low + along), h = prt__vec_root(high - along);
+        prt__vec depth = (low + along) * (prt_real)lid;
+        prt__vec r = prt__vec_root(lid > 0 ? depth * (2 - depth) : low + along);
+        prt__vec h = lid > 0 ? 1 - depth : prt__vec_root(high - along);
         prt__vec p = r * prt__vec_load(steps->cosine + k), q = r * prt__vec_load(steps->sine + k);
         prt__vec_store(x + k, p * t[0] + q * b[0] + h * n[0]);
         prt__vec_store(y + k, p * t[1] + q * b[1] + h * n[1]);
         prt__vec_store(z + k, p * t[2] + q * b[2] + h * n[2]);
     }
+}
+
+PRT__STATIC void prt__cosine_block(const prt__lattice *s, const prt__steps *steps, const prt__frame *f, int base,
+                                   int count, prt_real *x, prt_real *y, prt_real *z) {
+    prt__lattice_block(s, steps, f, 0, base, count, x, y, z);
 }
 
 PRT__STATIC int prt__unit_within(prt_vec3 v) {                 /* 1e-3 of length 1; false for NaN */
@@ -1549,17 +1571,20 @@ PRT__STATIC prt_vec3 prt__fiv_receiver(const prt_fiv_desc *desc, double distance
     return prt__narrow(v);
 }
 
-/* The checks that all bakes of a grid share. `sky`: it traces through an environment, else it asks for closest hits. */
-PRT__STATIC prt_result prt__fiv_desc_check(const prt_fiv_desc *desc, int first, int count, const void *out, int sky) {
+/* The checks that all bakes of a grid share, and what one needs beside the grid. */
+enum { PRT__FIV_SKY = 1, PRT__FIV_OCCLUDED = 2, PRT__FIV_CLOSEST = 4 };
+
+PRT__STATIC prt_result prt__fiv_desc_check(const prt_fiv_desc *desc, int first, int count, const void *out, int needs) {
     int total = prt_bake_fiv_count(desc), k;
     prt__cells cells;
     prt_result r = PRT_OK;
     if (!desc) return PRT_ERR_NULL;
-    if (total == 0 || !prt__range_ok(total, first, count)) return PRT_ERR_COUNT;
-    if (sky) r = desc->rays < 0 ? PRT_ERR_COUNT : prt__cells_of(desc->env, &cells);
+    if (total == 0 || !prt__range_ok(total, first, count) || desc->rays < 0) return PRT_ERR_COUNT;
+    if (needs & PRT__FIV_SKY) r = prt__cells_of(desc->env, &cells);
     if (r != PRT_OK) return r;
     if (!desc->rho || !desc->tracer || (count > 0 && !out)) return PRT_ERR_NULL;
-    if (sky ? !desc->tracer->occluded : !desc->tracer->closest) return PRT_ERR_NULL;
+    if ((needs & PRT__FIV_OCCLUDED) && !desc->tracer->occluded) return PRT_ERR_NULL;
+    if ((needs & PRT__FIV_CLOSEST) && !desc->tracer->closest) return PRT_ERR_NULL;
     if (!(desc->radius > 0 && prt__finite(desc->radius)) || !prt__finite3(desc->centre)) return PRT_ERR_VALUE;
     for (k = 0; k < desc->rho_count; k++)
         if (!(desc->rho[k] > (k ? desc->rho[k - 1] : 0) && prt__finite(desc->rho[k]))) return PRT_ERR_VALUE;
@@ -1699,7 +1724,7 @@ PRT__STATIC prt_result prt__fiv_sample(prt__fiv_bake *b, int index) {
 
 PRTDEF prt_result prt_bake_fiv_table(const prt_fiv_desc *desc, int first, int count, prt_fiv *samples) {
     prt__fiv_bake b;
-    prt_result r = prt__fiv_desc_check(desc, first, count, samples, 1);
+    prt_result r = prt__fiv_desc_check(desc, first, count, samples, PRT__FIV_SKY | PRT__FIV_OCCLUDED);
     size_t extra, used;
     void *memory;
     int k;
@@ -1716,6 +1741,107 @@ PRTDEF prt_result prt_bake_fiv_table(const prt_fiv_desc *desc, int first, int co
     for (k = first; r == PRT_OK && k < b.end; k++) r = prt__fiv_sample(&b, k);
     if (r == PRT_OK) r = prt__fiv_drain(&b);
     if (r == PRT_OK) r = prt__fiv_finish(&b, b.end);
+    PRT_FREE(memory);
+    return r;
+}
+
+PRTDEF size_t prt_bake_fiv_transfer_size(const prt_fiv_desc *desc, int bands) {
+    if (!prt__bands_ok(bands) || bands == PRT_MAX_BANDS) return 0;
+    return prt_bake_transfer_size(bands + 1, prt_bake_fiv_count(desc));
+}
+
+PRTDEF prt_fiv_transfer prt_fiv_transfer_of(const prt_fiv_desc *desc, int bands, const prt_real *samples,
+                                            const unsigned char *inside) {
+    prt_fiv_table grid = prt_fiv_table_of(desc, 0, inside);
+    prt_fiv_transfer t;
+    t.bands = bands;
+    t.theta_count = grid.theta_count; t.phi_count = grid.phi_count; t.rho_count = grid.rho_count;
+    t.rho = grid.rho;
+    t.radius = grid.radius;
+    t.samples = samples;
+    t.inside = inside;
+    return t;
+}
+
+/* Queues rays from block `at` on of a sample's directions, as many as fit; returns their number. */
+PRT__STATIC int prt__fiv_cap_rays(prt__bake *b, const prt__lattice *lattice, const prt__frame *frame, double lid,
+                                  prt_vec3 origin, int at) {
+    prt_ray ray;
+    int queued = 0, count, k;
+    ray.origin = origin;
+    ray.tmin = 0;
+    ray.tmax = PRT__R(FLT_MAX);
+    for (; at < b->samples; at += count) {
+        count = b->samples - at < PRT__BLOCK ? b->samples - at : PRT__BLOCK;
+        if (queued + count > PRT_BAKE_BATCH) break;
+        prt__lattice_block(lattice, &b->steps, frame, lid, at, count, b->x + queued, b->y + queued, b->z + queued);
+        for (k = queued; k < queued + count; k++) {
+            ray.dir = prt__vec3(b->x[k], b->y[k], b->z[k]);
+            b->rays[k] = ray;
+        }
+        queued += count;
+    }
+    return queued;
+}
+
+/* Adds the basis in the directions of the queued rays that are blocked to the sums. */
+PRT__STATIC void prt__fiv_add_blocked(prt__bake *b, int queued) {
+    int k;
+    for (k = 0; k < queued; k++) b->blocked[k] = (unsigned char)(b->blocked[k] == 0);          /* open ones are added */
+    for (k = 0; k < queued; k += PRT__BLOCK) {
+        prt__bake_add_block(b, k, queued - k < PRT__BLOCK ? queued - k : PRT__BLOCK);
+        if ((k + PRT__BLOCK) % PRT__FLUSH == 0) prt__bake_flush(b);
+    }
+    prt__bake_flush(b);
+}
+
+/* One sample: V_j = cap/rays times the sum of Y_j over the rays that are blocked. */
+PRT__STATIC prt_result prt__fiv_transfer_sample(prt__bake *b, const prt_fiv_desc *desc, int index, prt_real *row) {
+    const prt_tracer *tracer = desc->tracer;
+    double dir[3], distance = prt__fiv_place(desc, index, dir), radius = (double)desc->radius, lid = 2;
+    prt__lattice lattice = prt__lattice_of(b->samples, 0, (uint64_t)index);
+    prt__frame frame = prt__frame_about(prt__narrow(dir));
+    prt_vec3 origin = prt__fiv_receiver(desc, distance, dir);
+    int at = 0, queued, k;
+    if (distance > radius) {                                   /* 1 - cos = sin^2/(1 + cos) */
+        double cosine = sqrt((distance - radius) * (distance + radius)) / distance;
+        lid = radius / distance * (radius / distance) / (1 + cosine);
+    }
+    for (k = 0; k < b->coefficients; k++) b->sum[k] = 0;
+    for (; at < b->samples; at += queued) {
+        queued = prt__fiv_cap_rays(b, &lattice, &frame, lid, origin, at);
+        memset(b->blocked, 0, (size_t)queued);
+        if (tracer->occluded(tracer->user, queued, b->rays, b->blocked)) return PRT_ERR_TRACE;
+        prt__fiv_add_blocked(b, queued);
+    }
+    for (k = 0; k < b->coefficients; k++) row[k] = (prt_real)(b->sum[k] * (2 * PRT__PI * lid / b->samples));
+    return PRT_OK;
+}
+
+PRTDEF prt_result prt_bake_fiv_transfer(const prt_fiv_desc *desc, int bands, int first, int count, prt_real *samples) {
+    prt__bake b;
+    prt_result r;
+    size_t size;
+    void *memory;
+    int k;
+    if (!desc) return PRT_ERR_NULL;
+    if (!prt__bands_ok(bands) || bands == PRT_MAX_BANDS) return PRT_ERR_BANDS;
+    r = prt__fiv_desc_check(desc, first, count, samples, PRT__FIV_OCCLUDED);
+    if (r != PRT_OK || count == 0) return r;
+    size = prt_bake_scratch_size(bands + 1);
+    if (!size || !prt_bake_fiv_transfer_size(desc, bands)) return PRT_ERR_CAPACITY;
+    memory = PRT_MALLOC(size);
+    if (!memory) return PRT_ERR_MEMORY;
+    memset(memory, 0, size);
+    memset(&b, 0, sizeof b);
+    b.samples = desc->rays ? desc->rays : (int)PRT__DEFAULT_SAMPLES;
+    prt__bake_shape(&b, bands + 1);
+    prt__bake_layout(&b, (unsigned char *)memory);
+    prt__steps_of_block(&b.steps);
+    for (k = first; r == PRT_OK && k < first + count; k++) {
+        r = prt__fiv_transfer_sample(&b, desc, k, samples + (size_t)k * (size_t)b.coefficients);
+        if (r == PRT_OK && desc->progress && desc->progress(desc->progress_user, k - first + 1, count)) r = PRT_ERR_CANCELLED;
+    }
     PRT_FREE(memory);
     return r;
 }
@@ -1775,7 +1901,7 @@ PRT__STATIC prt_result prt__fiv_inside_range(const prt_fiv_desc *desc, int first
 }
 
 PRTDEF prt_result prt_bake_fiv_inside(const prt_fiv_desc *desc, int first, int count, unsigned char *inside) {
-    prt_result r = prt__fiv_desc_check(desc, first, count, inside, 0);
+    prt_result r = prt__fiv_desc_check(desc, first, count, inside, PRT__FIV_CLOSEST);
     size_t used = 0, size, n = PRT__FIV_FEELERS * PRT__FIV_FEELING;
     unsigned char *memory;
     if (r != PRT_OK || count == 0) return r;
