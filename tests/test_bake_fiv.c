@@ -485,6 +485,121 @@ static void one_block_of_memory_a_call(void **state) {
     memory_hook.fail = 0;
 }
 
+/* ---- any light ---- */
+
+enum { BANDS = 3, HIDDEN = (BANDS + 1) * (BANDS + 1) };
+
+/* A ball hides a cap, whose projection is known; inside everything is hidden. */
+static void transfer_of_a_ball_is_its_cap(void **state) {
+    static prt_real samples[COUNT * HIDDEN];
+    double squares = 0;
+    bake b;
+    int k, j;
+    (void)state;
+    begin(&b);
+    b.desc.radius = PRT__R(2.6);                                   /* a cap with a margin of open rays */
+    b.rho[1] = PRT__R(2.7);
+    b.desc.env = NULL;
+    assert_int_equal(prt_bake_fiv_transfer_size(&b.desc, BANDS), sizeof samples);
+    assert_int_equal(prt_bake_fiv_transfer(&b.desc, BANDS, 0, COUNT, samples), PRT_OK);
+    assert_true(b.told == COUNT && b.b.rays == COUNT * 1024L && b.b.largest <= PRT_BAKE_BATCH);
+    for (k = 0; k < COUNT; k++) {
+        double dir[3], rho = (double)b.rho[k / 40], cap = 2 * pi * (1 - sqrt(fmax(0, 1 - 2.6 * 2.6 / rho / rho)));
+        prt_real want[HIDDEN];
+        place(&b, k, dir);
+        assert_int_equal(prt_sh_sphere(BANDS + 1, vec3(rho * dir[0], rho * dir[1], rho * dir[2]), 2, want), PRT_OK);
+        if (rho < 2) cap = 4 * pi;
+        for (j = 0; j < HIDDEN; j++) {
+            double off = ((double)samples[k * HIDDEN + j] - (double)want[j]) / cap;
+            squares += off * off;
+            assert_near(off, 0, 6 * pow(1024, -0.75));
+        }
+    }
+    print_message("projection of a ball by 1024 rays: error %.5f of the cap rms in the 2-norm, 1024^-3/4 is %.5f\n",
+                  sqrt(squares / COUNT), pow(1024, -0.75));
+    assert_at_most(sqrt(squares / COUNT), 2 * pow(1024, -0.75));
+}
+
+/* A table baked under a light of three bands, against the one made from the transfer. */
+static void transfer_agrees_with_a_fresh_bake(void **state) {
+    static prt_real hidden[COUNT * HIDDEN];
+    static prt_fiv fresh[COUNT], made[COUNT];
+    prt_real light[3 * BANDS * BANDS], vectors[9 * HIDDEN];
+    double squares = 0, all = 0;
+    bake b;
+    int k, c, t;
+    (void)state;
+    begin(&b);
+    b.env = cube_env(32);
+    for (k = 0; k < 27; k++) light[k] = (prt_real)(k % 9 ? uniform() - 0.5 : 3);
+    for (t = 0; t < 6 * 32 * 32; t++) {
+        double s = (2 * (t % 32) + 1.0) / 32 - 1, u = (2 * (t / 32 % 32) + 1.0) / 32 - 1, d[3], r;
+        int face = t / 1024;
+        d[0] = face == 0 ? 1 : face == 1 ? -1 : face == 5 ? -s : s;
+        d[1] = face == 2 ? 1 : face == 3 ? -1 : -u;
+        d[2] = face == 4 ? 1 : face == 5 ? -1 : face == 0 ? -s : face == 1 ? s : face == 2 ? u : -u;
+        r = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+        for (c = 0; c < 3; c++) texels[3 * t + c] = (float)prt_sh_at(BANDS, light + 9 * c, vec3(d[0] / r, d[1] / r, d[2] / r));
+    }
+    b.desc.rays = 1024;
+    assert_int_equal(prt_bake_fiv_table(&b.desc, 0, COUNT, fresh), PRT_OK);
+    b.told = 0;
+    assert_int_equal(prt_bake_fiv_transfer(&b.desc, BANDS, 0, COUNT, hidden), PRT_OK);
+    assert_int_equal(prt_fiv_transfer_light(BANDS, NULL, light, vectors), PRT_OK);
+    {
+        prt_fiv_transfer table = prt_fiv_transfer_of(&b.desc, BANDS, hidden, NULL);
+        assert_true(table.rho == b.rho && table.samples == hidden && table.theta_count == 5);
+        assert_int_equal(prt_fiv_transfer_samples(&table, vectors, 0, COUNT, made), PRT_OK);
+    }
+    for (k = 40; k < COUNT; k++) {
+        double x[9], y[9], rho = (double)b.rho[k / 40];
+        components(&fresh[k], x);
+        components(&made[k], y);
+        for (c = 0; c < 9; c++) { squares += (x[c] - y[c]) * (x[c] - y[c]) * pow(rho, 4); all += x[c] * x[c] * pow(rho, 4); }
+    }
+    print_message("transfer against a fresh bake, 1024 rays each: %.4f of what is hidden rms\n", sqrt(squares / all));
+    assert_at_most(sqrt(squares / all), 0.015);                    /* two bakes at 1024 rays: sqrt 2 * 2 * 1024^-3/4 */
+}
+
+static void transfer_ranges_errors_and_progress(void **state) {
+    static prt_real whole[COUNT * HIDDEN], part[COUNT * HIDDEN];
+    bake b;
+    int k;
+    (void)state;
+    begin(&b);
+    b.desc.rays = 100;
+    assert_int_equal(prt_bake_fiv_transfer(&b.desc, BANDS, 0, COUNT, whole), PRT_OK);
+    b.told = 0;
+    assert_int_equal(prt_bake_fiv_transfer(&b.desc, BANDS, 20, 60, part), PRT_OK);
+    if (ERROR_FACTOR == 1)
+        assert_memory_equal(part + 20 * HIDDEN, whole + 20 * HIDDEN, 60 * HIDDEN * sizeof *part);
+    for (k = 0; k < COUNT * HIDDEN; k++) if (k < 20 * HIDDEN || k >= 80 * HIDDEN) assert_true(part[k] == 0);
+    b.told = 0;
+    b.stop_at = 7;
+    assert_int_equal(prt_bake_fiv_transfer(&b.desc, BANDS, 0, COUNT, part), PRT_ERR_CANCELLED);
+    begin(&b);
+    b.b.fail_at = 3;
+    assert_int_equal(prt_bake_fiv_transfer(&b.desc, BANDS, 0, COUNT, part), PRT_ERR_TRACE);
+    assert_int_equal(b.told, 2);
+    memset(&memory_hook, 0, sizeof memory_hook);
+    memory_hook.fail = 1;
+    assert_int_equal(prt_bake_fiv_transfer(&b.desc, BANDS, 0, COUNT, part), PRT_ERR_MEMORY);
+    memory_hook.fail = 0;
+    assert_int_equal(prt_bake_fiv_transfer(NULL, BANDS, 0, 1, part), PRT_ERR_NULL);
+    assert_int_equal(prt_bake_fiv_transfer(&b.desc, 0, 0, 1, part), PRT_ERR_BANDS);
+    assert_int_equal(prt_bake_fiv_transfer(&b.desc, PRT_MAX_BANDS, 0, 1, part), PRT_ERR_BANDS);
+    assert_int_equal(prt_bake_fiv_transfer(&b.desc, BANDS, 0, COUNT + 1, part), PRT_ERR_COUNT);
+    assert_int_equal(prt_bake_fiv_transfer(&b.desc, BANDS, 0, 1, NULL), PRT_ERR_NULL);
+    assert_int_equal(prt_bake_fiv_transfer(&b.desc, BANDS, 0, 0, NULL), PRT_OK);
+    b.desc.rays = -1;
+    assert_int_equal(prt_bake_fiv_transfer(&b.desc, BANDS, 0, 1, part), PRT_ERR_COUNT);
+    b.desc.rays = 0;
+    b.tracer.occluded = NULL;
+    assert_int_equal(prt_bake_fiv_transfer(&b.desc, BANDS, 0, 1, part), PRT_ERR_NULL);
+    assert_int_equal(prt_bake_fiv_transfer_size(&b.desc, PRT_MAX_BANDS), 0);
+    assert_int_equal(prt_bake_fiv_transfer_size(NULL, 3), 0);
+}
+
 static void distances_are_geometric(void **state) {
     prt_real rho[30];
     int k;
@@ -502,8 +617,8 @@ static void distances_are_geometric(void **state) {
 
 static void tables_are_made_of_descs(void **state) {
     bake b;
-    prt_fiv samples[1];
-    unsigned char inside[1];
+    prt_fiv samples[1] = { { { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 } } };
+    unsigned char inside[1] = { 0 };
     prt_fiv_table t;
     (void)state;
     begin(&b);
@@ -607,6 +722,9 @@ int main(void) {
         cmocka_unit_test(inside_is_found_through_holes),
         cmocka_unit_test(progress_stops_and_callbacks_fail),
         cmocka_unit_test(one_block_of_memory_a_call),
+        cmocka_unit_test(transfer_of_a_ball_is_its_cap),
+        cmocka_unit_test(transfer_agrees_with_a_fresh_bake),
+        cmocka_unit_test(transfer_ranges_errors_and_progress),
         cmocka_unit_test(distances_are_geometric),
         cmocka_unit_test(tables_are_made_of_descs),
         cmocka_unit_test(bad_arguments_write_nothing),

@@ -566,6 +566,287 @@ static void self_shadow_leaves_out_the_inside(void **state) {
     }
 }
 
+/* ---- any light ---- */
+
+enum { BANDS = 4, LIGHT = BANDS * BANDS, HIDDEN = (BANDS + 1) * (BANDS + 1) };
+static prt_real hidden_samples[SAMPLES * HIDDEN];
+
+static prt_fiv_transfer random_transfer(void) {
+    prt_fiv_transfer t = { BANDS, THETAS, PHIS, RHOS, some_rho, 1, hidden_samples, NULL };
+    int k;
+    for (k = 0; k < SAMPLES * HIDDEN; k++) hidden_samples[k] = (prt_real)(2 * uniform() - 1);
+    return t;
+}
+
+static void random_light(prt_real light[3 * LIGHT]) {
+    int k;
+    for (k = 0; k < 3 * LIGHT; k++) light[k] = (prt_real)(2 * uniform() - 1);
+}
+
+static void turn_of(prt_real m[9]) {                           /* about a random axis, by Rodrigues */
+    prt_vec3 u = random_unit();
+    double a = 2 * pi * uniform(), x = (double)u.x, y = (double)u.y, z = (double)u.z, c = cos(a), s = sin(a), d = 1 - c;
+    m[0] = (prt_real)(c + x * x * d); m[1] = (prt_real)(x * y * d - z * s); m[2] = (prt_real)(x * z * d + y * s);
+    m[3] = (prt_real)(y * x * d + z * s); m[4] = (prt_real)(c + y * y * d); m[5] = (prt_real)(y * z * d - x * s);
+    m[6] = (prt_real)(z * x * d - y * s); m[7] = (prt_real)(z * y * d + x * s); m[8] = (prt_real)(c + z * z * d);
+}
+
+static prt_vec3 turned(const prt_real m[9], prt_vec3 v) {
+    double x = (double)v.x, y = (double)v.y, z = (double)v.z;
+    return vec3((double)m[0] * x + (double)m[1] * y + (double)m[2] * z, (double)m[3] * x + (double)m[4] * y + (double)m[5] * z,
+                (double)m[6] * x + (double)m[7] * y + (double)m[8] * z);
+}
+
+/* The vectors are sum_ij V_j L_i int Y_j w_k Y_i dw, the integrals being triple products. */
+static void transfer_is_bilinear(void **state) {
+    static const int axis[3] = { 1, -1, 0 };
+    prt_fiv_transfer t = random_transfer();
+    prt_real light[3 * LIGHT], vectors[9 * HIDDEN];
+    int place, c, k, i, j, li, lj;
+    (void)state;
+    random_light(light);
+    assert_int_equal(prt_fiv_transfer_light(BANDS, NULL, light, vectors), PRT_OK);
+    for (place = 0; place < SAMPLES; place += 37) {
+        double want[9] = { 0, 0, 0, 0, 0, 0, 0, 0, 0 }, got[9];
+        prt_fiv one[SAMPLES];
+        for (li = 0, i = 0; li < BANDS; li++)
+            for (; i < (li + 1) * (li + 1); i++)
+                for (lj = 0, j = 0; lj <= BANDS; lj++)
+                    for (; j < (lj + 1) * (lj + 1); j++)
+                        for (k = 0; k < 3; k++) {
+                            double g = sqrt(4 * pi / 3) * prt_sh_triple(1, axis[k], li, i - li * (li + 1), lj, j - lj * (lj + 1));
+                            for (c = 0; c < 3; c++)
+                                want[3 * c + k] += g * (double)light[c * LIGHT + i] * (double)hidden_samples[place * HIDDEN + j];
+                        }
+        assert_int_equal(prt_fiv_transfer_samples(&t, vectors, place, 1, one), PRT_OK);
+        components(&one[place], got);
+        for (k = 0; k < 9; k++) assert_near(got[k], want[k], 100 * EPS);
+    }
+}
+
+/* A table made for one light is looked up as the transfer table is, under that light; a turned occluder under a light sees
+   what an unturned one sees under the light turned back. */
+static void transfer_lookup_agrees_with_its_table(void **state) {
+    static prt_fiv samples[SAMPLES];
+    prt_fiv_transfer t = random_transfer();
+    prt_fiv_table table = { THETAS, PHIS, RHOS, some_rho, 1, samples, NULL };
+    prt_real light[3 * LIGHT], back[9], turn[9], lit[3 * LIGHT], vectors[9 * HIDDEN], about[9 * HIDDEN];
+    unsigned char inside[SAMPLES];
+    double got[9], want[9];
+    int k, i, c;
+    (void)state;
+    random_light(light);
+    for (k = 0; k < SAMPLES; k++) inside[k] = (unsigned char)(uniform() < 0.2);
+    for (k = 0; k < 200; k++) {
+        prt_vec3 to = scaled(random_unit(), 0.5 + 6 * uniform()), away;
+        prt_fiv a, b;
+        turn_of(turn);
+        for (i = 0; i < 9; i++) back[i] = turn[i % 3 * 3 + i / 3];
+        for (c = 0; c < 3; c++) assert_int_equal(prt_sh_rotate(BANDS, back, light + c * LIGHT, lit + c * LIGHT), PRT_OK);
+        assert_int_equal(prt_fiv_transfer_light(BANDS, NULL, lit, vectors), PRT_OK);
+        assert_int_equal(prt_fiv_transfer_light(BANDS, turn, light, about), PRT_OK);
+        assert_int_equal(prt_fiv_transfer_samples(&t, vectors, 0, SAMPLES, samples), PRT_OK);
+        t.inside = table.inside = k % 2 ? inside : NULL;
+        assert_int_equal(prt_fiv_lookup(&table, to, &a), PRT_OK);
+        assert_int_equal(prt_fiv_transfer_lookup(&t, NULL, vectors, to, &b), PRT_OK);
+        components(&a, want);
+        components(&b, got);
+        for (i = 0; i < 9; i++) assert_near(got[i], want[i], k % 2 ? 5e5 * EPS : 200 * EPS);
+        away = turned(turn, to);
+        assert_int_equal(prt_fiv_transfer_lookup(&t, turn, about, away, &b), PRT_OK);
+        a.r = turned(turn, a.r); a.g = turned(turn, a.g); a.b = turned(turn, a.b);
+        components(&a, want);
+        components(&b, got);
+        for (i = 0; i < 9; i++) assert_near(got[i], want[i], k % 2 ? 5e5 * EPS : 2000 * EPS);
+    }
+}
+
+/* A cap under a light: closed-form projection of the cap against a ring quadrature of w L(w) over it. */
+static void transfer_of_a_cap(void **state) {
+    prt_real light[3 * LIGHT], vectors[9 * HIDDEN], cap[HIDDEN], rho = 2;
+    prt_fiv_transfer t = { BANDS, 1, 1, 1, &rho, 1, cap, NULL };
+    double want[9] = { 0, 0, 0, 0, 0, 0, 0, 0, 0 }, got[9];
+    const double half = pi / 6;
+    prt_vec3 n = random_unit(), u = vec3(-(double)n.y, (double)n.x, 0), v;
+    prt_fiv f;
+    int i, j, c, k;
+    (void)state;
+    u = scaled(u, 1 / sqrt((double)u.x * (double)u.x + (double)u.y * (double)u.y));
+    v = vec3((double)n.y * (double)u.z - (double)n.z * (double)u.y, (double)n.z * (double)u.x - (double)n.x * (double)u.z,
+             (double)n.x * (double)u.y - (double)n.y * (double)u.x);
+    random_light(light);
+    assert_int_equal(prt_sh_cone(BANDS + 1, n, (prt_real)half, cap), PRT_OK);
+    assert_int_equal(prt_fiv_transfer_light(BANDS, NULL, light, vectors), PRT_OK);
+    assert_int_equal(prt_fiv_transfer_lookup(&t, NULL, vectors, scaled(n, 2), &f), PRT_OK);
+    components(&f, got);
+    for (i = 0; i < 400; i++)
+        for (j = 0; j < 32; j++) {
+            double z = 1 - (1 - cos(half)) * (i + 0.5) / 400, r = sqrt(1 - z * z), a = 2 * pi * j / 32, d[3];
+            d[0] = z * (double)n.x + r * (cos(a) * (double)u.x + sin(a) * (double)v.x);
+            d[1] = z * (double)n.y + r * (cos(a) * (double)u.y + sin(a) * (double)v.y);
+            d[2] = z * (double)n.z + r * (cos(a) * (double)u.z + sin(a) * (double)v.z);
+            for (c = 0; c < 3; c++) {
+                double l = (double)prt_sh_at(BANDS, light + c * LIGHT, vec3(d[0], d[1], d[2]));
+                for (k = 0; k < 3; k++) want[3 * c + k] += l * d[k] * 2 * pi * (1 - cos(half)) / (400 * 32);
+            }
+        }
+    for (k = 0; k < 9; k++) assert_near(got[k], want[k], 2e-6 + 100 * EPS);
+}
+
+static void transfer_survives_bad_samples(void **state) {
+    prt_fiv_transfer t = random_transfer();
+    prt_real light[3 * LIGHT], vectors[9 * HIDDEN];
+    prt_fiv f;
+    int k;
+    (void)state;
+    skip_if_fast_math();
+    random_light(light);
+    assert_int_equal(prt_fiv_transfer_light(BANDS, NULL, light, vectors), PRT_OK);
+    for (k = 0; k < SAMPLES * HIDDEN; k += 71) hidden_samples[k] = k % 2 ? (prt_real)NAN : (prt_real)INFINITY;
+    for (k = 0; k < 500; k++) {
+        assert_int_equal(prt_fiv_transfer_lookup(&t, NULL, vectors, scaled(random_unit(), 5 * uniform()), &f), PRT_OK);
+        assert_true(prt__finite3(f.r) && prt__finite3(f.g) && prt__finite3(f.b));
+    }
+    vectors[0] = (prt_real)NAN;
+    assert_int_equal(prt_fiv_transfer_lookup(&t, NULL, vectors, vec3(1, 0, 0), &f), PRT_OK);
+    assert_true(f.r.x == 0 && f.g.x == 0);
+}
+
+static void transfer_refuses_bad_arguments(void **state) {
+    prt_fiv_transfer t = random_transfer(), bad;
+    prt_real light[3 * LIGHT] = { 0 }, vectors[9 * HIDDEN] = { 0 }, crooked[9] = { 2, 0, 0, 0, 1, 0, 0, 0, 1 };
+    prt_vec3 z = vec3(0, 0, 1);
+    prt_fiv f;
+    int k;
+    (void)state;
+    memset(&f, 0x55, sizeof f);
+    assert_int_equal(prt_fiv_transfer_light(0, NULL, light, vectors), PRT_ERR_BANDS);
+    assert_int_equal(prt_fiv_transfer_light(PRT_MAX_BANDS, NULL, light, vectors), PRT_ERR_BANDS);
+    assert_int_equal(prt_fiv_transfer_light(BANDS, NULL, NULL, vectors), PRT_ERR_NULL);
+    assert_int_equal(prt_fiv_transfer_light(BANDS, NULL, light, NULL), PRT_ERR_NULL);
+    assert_int_equal(prt_fiv_transfer_light(BANDS, crooked, light, vectors), PRT_ERR_ROTATION);
+    assert_int_equal(prt_fiv_transfer_lookup(NULL, NULL, vectors, z, &f), PRT_ERR_NULL);
+    assert_int_equal(prt_fiv_transfer_lookup(&t, NULL, NULL, z, &f), PRT_ERR_NULL);
+    assert_int_equal(prt_fiv_transfer_lookup(&t, NULL, vectors, z, NULL), PRT_ERR_NULL);
+    assert_int_equal(prt_fiv_transfer_samples(NULL, vectors, 0, 1, &f), PRT_ERR_NULL);
+    assert_int_equal(prt_fiv_transfer_samples(&t, vectors, 0, SAMPLES + 1, &f), PRT_ERR_COUNT);
+    assert_int_equal(prt_fiv_transfer_samples(&t, vectors, -1, 1, &f), PRT_ERR_COUNT);
+    assert_int_equal(prt_fiv_transfer_samples(&t, NULL, 0, 1, &f), PRT_ERR_NULL);
+    assert_int_equal(prt_fiv_transfer_samples(&t, vectors, 0, 1, NULL), PRT_ERR_NULL);
+    for (k = 0; k < 7; k++) {
+        prt_result want = k < 2 ? PRT_ERR_BANDS : k < 5 ? PRT_ERR_COUNT : PRT_ERR_NULL;
+        bad = t;
+        if (k == 0) bad.bands = 0;
+        if (k == 1) bad.bands = PRT_MAX_BANDS;
+        if (k == 2) bad.theta_count = 0;
+        if (k == 3) bad.phi_count = 0;
+        if (k == 4) bad.rho_count = -3;
+        if (k == 5) bad.rho = NULL;
+        if (k == 6) bad.samples = NULL;
+        assert_int_equal(prt_fiv_transfer_lookup(&bad, NULL, vectors, z, &f), want);
+        if (k != 5) assert_int_equal(prt_fiv_transfer_samples(&bad, vectors, 0, 1, &f), want);
+    }
+    for (k = 0; k < (int)sizeof f; k++) assert_int_equal(((unsigned char *)&f)[k], 0x55);
+}
+
+/* ---- packed tables ---- */
+
+static double value_of_half(int half) {
+    int exponent = half >> 10 & 31, mantissa = half & 1023;
+    double v = exponent ? ldexp(1024 + mantissa, exponent - 25) : ldexp(mantissa, -24);
+    return half & 0x8000 ? -v : v;
+}
+
+static void halves_are_rounded_to_nearest(void **state) {
+    int k;
+    (void)state;
+    skip_if_fast_math();                                       /* subnormals may count as 0 */
+    for (k = 0; k < 0x7bff; k++) {
+        double v = value_of_half(k), next = value_of_half(k + 1), middle = (v + next) / 2;
+        assert_near(prt__real_of_half((uint16_t)k), v, 0);
+        assert_near(prt__real_of_half((uint16_t)(k | 0x8000)), -v, 0);
+        assert_int_equal(prt__half_of((prt_real)v), k);
+        assert_int_equal(prt__half_of((prt_real)-v), k | 0x8000);
+        assert_int_equal(prt__half_of((prt_real)(middle - (next - v) / 1024)), k);
+        assert_int_equal(prt__half_of((prt_real)(middle + (next - v) / 1024)), k + 1);
+        assert_int_equal(prt__half_of((prt_real)middle), k + (k & 1));
+    }
+    assert_int_equal(prt__half_of(65504), 0x7bff);
+}
+
+static void packed_tables_keep_their_error(void **state) {
+    static uint16_t data[SAMPLES * 9];
+    static prt_fiv back[SAMPLES];
+    prt_fiv low[RHOS], step[RHOS];
+    prt_fiv_table t = random_table(), again;
+    prt_fiv_packed packed;
+    unsigned char inside[SAMPLES];
+    int bits, k, i;
+    (void)state;
+    for (k = 0; k < SAMPLES; k++) some_samples[k].g = scaled(some_samples[k].g, pow(10, -k / (THETAS * PHIS)));
+    for (k = 0; k < SAMPLES; k++) some_samples[k].b = vec3(3, -3, 0);          /* nothing to spread */
+    for (k = 0; k < SAMPLES; k++) inside[k] = (unsigned char)(uniform() < 0.2);
+    t.inside = inside;
+    for (bits = 8; bits <= 16; bits += 8) {
+        assert_int_equal(prt_fiv_packed_size(&t, bits), SAMPLES * 9 * bits / 8);
+        assert_int_equal(prt_fiv_pack(&t, bits, data, low, step, &packed), PRT_OK);
+        assert_int_equal(prt_fiv_unpack(&packed, 0, SAMPLES, back), PRT_OK);
+        for (k = 0; k < SAMPLES; k++) {
+            double got[9], want[9], steps[9];
+            components(&back[k], got);
+            components(&some_samples[k], want);
+            components(&step[k / (THETAS * PHIS)], steps);
+            for (i = 0; i < 9; i++)
+                assert_near(got[i], want[i], bits == 16 ? fabs(want[i]) / 2048 + ldexp(1, -25) : steps[i] * 0.5001 + 8 * EPS);
+        }
+        again = packed.grid;
+        again.samples = back;
+        for (k = 0; k < 500; k++) {
+            prt_vec3 to = scaled(random_unit(), 6 * uniform());
+            double got[9], want[9];
+            prt_fiv a, b;
+            assert_int_equal(prt_fiv_packed_lookup(&packed, to, &a), PRT_OK);
+            assert_int_equal(prt_fiv_lookup(&again, to, &b), PRT_OK);
+            components(&a, got);
+            components(&b, want);
+            for (i = 0; i < 9; i++) assert_near(got[i], want[i], 50 * EPS * 3);
+        }
+    }
+}
+
+static void packing_refuses_bad_arguments(void **state) {
+    static uint16_t data[SAMPLES * 9];
+    prt_fiv low[RHOS], step[RHOS], f;
+    prt_fiv_table t = random_table();
+    prt_fiv_packed packed, bad;
+    (void)state;
+    memset(&f, 0, sizeof f);
+    assert_int_equal(prt_fiv_packed_size(&t, 9), 0);
+    assert_int_equal(prt_fiv_packed_size(NULL, 8), 0);
+    assert_int_equal(prt_fiv_pack(NULL, 8, data, low, step, &packed), PRT_ERR_NULL);
+    assert_int_equal(prt_fiv_pack(&t, 12, data, low, step, &packed), PRT_ERR_COUNT);
+    assert_int_equal(prt_fiv_pack(&t, 8, NULL, low, step, &packed), PRT_ERR_NULL);
+    assert_int_equal(prt_fiv_pack(&t, 8, data, NULL, step, &packed), PRT_ERR_NULL);
+    assert_int_equal(prt_fiv_pack(&t, 8, data, low, step, NULL), PRT_ERR_NULL);
+    assert_int_equal(prt_fiv_pack(&t, 16, data, NULL, NULL, &packed), PRT_OK);
+    assert_int_equal(prt_fiv_packed_lookup(NULL, vec3(0, 0, 1), &f), PRT_ERR_NULL);
+    assert_int_equal(prt_fiv_packed_lookup(&packed, vec3(0, 0, 1), NULL), PRT_ERR_NULL);
+    assert_int_equal(prt_fiv_unpack(&packed, 0, SAMPLES + 1, &f), PRT_ERR_COUNT);
+    assert_int_equal(prt_fiv_unpack(&packed, 0, 1, NULL), PRT_ERR_NULL);
+    bad = packed; bad.bits = 8;
+    assert_int_equal(prt_fiv_packed_lookup(&bad, vec3(0, 0, 1), &f), PRT_ERR_NULL);
+    bad = packed; bad.bits = 0;
+    assert_int_equal(prt_fiv_packed_lookup(&bad, vec3(0, 0, 1), &f), PRT_ERR_COUNT);
+    bad = packed; bad.data = NULL;
+    assert_int_equal(prt_fiv_packed_lookup(&bad, vec3(0, 0, 1), &f), PRT_ERR_NULL);
+    some_samples[5].r.x = 65520;
+    assert_int_equal(prt_fiv_pack(&t, 16, data, NULL, NULL, &packed), PRT_ERR_VALUE);
+    assert_int_equal(prt_fiv_pack(&t, 8, data, low, step, &packed), PRT_OK);
+    skip_if_fast_math();
+    some_samples[5].r.x = (prt_real)NAN;
+    assert_int_equal(prt_fiv_pack(&t, 8, data, low, step, &packed), PRT_ERR_VALUE);
+}
+
 /* ---- the total ---- */
 
 /* I_tot = 1 + N.v is smooth: bilinear interpolation of it errs by its curvature, |v|, times (2/size)^2/8 a direction. */
@@ -807,6 +1088,14 @@ int main(void) {
         cmocka_unit_test(shading_agrees_with_the_textbook),
         cmocka_unit_test(batches_give_the_same_bits),
         cmocka_unit_test(self_shadow_leaves_out_the_inside),
+        cmocka_unit_test(transfer_is_bilinear),
+        cmocka_unit_test(transfer_lookup_agrees_with_its_table),
+        cmocka_unit_test(transfer_of_a_cap),
+        cmocka_unit_test(transfer_survives_bad_samples),
+        cmocka_unit_test(transfer_refuses_bad_arguments),
+        cmocka_unit_test(halves_are_rounded_to_nearest),
+        cmocka_unit_test(packed_tables_keep_their_error),
+        cmocka_unit_test(packing_refuses_bad_arguments),
         cmocka_unit_test(total_between_texels),
         cmocka_unit_test(every_place_is_survived),
         cmocka_unit_test(zero_radius_hides_nothing),
