@@ -6010,26 +6010,30 @@ PRTDEF prt_result prt_fiv_transfer_samples(const prt_fiv_transfer *table, const 
     return PRT_OK;
 }
 
-/* The half nearest to |v| <= 65504, ties to even: through the bits of a float. */
-PRT__STATIC uint16_t prt__half_of(prt_real v) {
-    float f = (float)v;
-    uint32_t bits, sign, rest;
-    int shift;
-    memcpy(&bits, &f, sizeof bits);
-    sign = bits >> 16 & 0x8000u;
-    bits &= 0x7fffffffu;
-    if (bits < 0x33000000u) return (uint16_t)sign;             /* below half the least subnormal */
-    shift = bits < 0x38800000u ? 126 - (int)(bits >> 23) : 13;
-    rest = bits < 0x38800000u ? (bits & 0x7fffffu) | 0x800000u : bits - 0x38000000u;
-    rest += (1u << (shift - 1)) - 1 + (rest >> shift & 1u);
-    return (uint16_t)(sign | rest >> shift);
+/* The nearest half float, ties to even; the caller has checked |v| <= 65504. By the bits of a double: a half counts its
+   exponent from -15, its subnormals have steps of 2^-24. */
+PRT__STATIC uint32_t prt__half_of(double v) {
+    uint64_t bits, sign = v < 0 ? 0x8000u : 0;
+    int exponent, shift = 42;
+    memcpy(&bits, &v, sizeof bits);
+    bits &= UINT64_C(0x7fffffffffffffff);
+    exponent = (int)(bits >> 52) - 1023;
+    if (exponent < -25) return (uint32_t)sign;
+    if (exponent < -14) {
+        shift += -14 - exponent;
+        bits = (bits & UINT64_C(0xfffffffffffff)) | UINT64_C(0x10000000000000);
+    } else {
+        bits -= UINT64_C(1008) << 52;
+    }
+    bits += (UINT64_C(1) << (shift - 1)) - 1 + (bits >> shift & 1);
+    return (uint32_t)(sign | bits >> shift);
 }
 
 PRT__INLINE prt_real prt__real_of_half(uint16_t half) {        /* infinity and NaN do not occur */
-    uint32_t bits = (half & 0x7fffu) << 13;
+    uint32_t size = half & 0x7fffu, bits = (size << 13) + 0x38000000u;
     float f;
     memcpy(&f, &bits, sizeof f);
-    f *= 5.192296858534828e33f;                                /* 2^112 moves the exponent, subnormals included */
+    if (size < 0x400u) f = (float)size * (1.0f / 16777216);    /* in steps of 2^-24 */
     return (prt_real)(half & 0x8000u ? -f : f);
 }
 
@@ -6094,7 +6098,7 @@ PRT__STATIC void prt__fiv_encode(const prt_fiv_packed *p, size_t ring, void *dat
     for (k = 0; k < all; k++) {
         memcpy(v, &p->grid.samples[k], sizeof v);
         if (p->bits == 16) {
-            for (i = 0; i < 9; i++) ((uint16_t *)data)[k * 9 + (size_t)i] = prt__half_of(v[i]);
+            for (i = 0; i < 9; i++) ((uint16_t *)data)[k * 9 + (size_t)i] = (uint16_t)prt__half_of((double)v[i]);
             continue;
         }
         memcpy(low, &p->low[k / ring], sizeof low);
@@ -6546,16 +6550,6 @@ PRT__STATIC void prt__vo_unpack_rows(prt_real unit, prt_vec3 at, int count, cons
     }
 }
 
-/* The nearest half float, ties to even; the caller has checked |v| <= 65504. */
-PRT__STATIC uint32_t prt__half_of(double v) {
-    double size = fabs(v), unit = 1.0 / 16777216, steps;       /* 2^-24: the least, and the step of subnormal ones */
-    uint32_t below = 0;
-    for (; size >= 2048 * unit; unit *= 2) below += 0x400u;
-    steps = floor(size / unit);
-    size = size / unit - steps;
-    if (size > 0.5 || (size >= 0.5 && fmod(steps, 2) > 0.5)) steps++;
-    return (v < 0 ? 0x8000u : 0) | (below + (uint32_t)steps);
-}
 PRT__STATIC uint32_t prt__byte_of(prt_real color) { return (uint32_t)(sqrt((double)color) * 255 + 0.5); }
 
 PRT__STATIC double prt__length3(prt_vec3 v) {                  /* NaN and infinity stay */
