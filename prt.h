@@ -869,18 +869,20 @@ typedef struct prt_vo_params {         /* zero-initialise; 0 means the default i
 
 /* Exit radiance towards the eye at one point, see above.
    Errors: PRT_ERR_COUNT (a count below 0); PRT_ERR_NULL. Values are not checked. out may not overlap the inputs.
-   Cost: for each light an exponential; for each occluder and light, by what is not off: 25 operations and a power for
-   block, the same for focus, 30 for DD, 15 and a power each for DS and SS. A gloss that is an integer up to 64 needs
-   multiplications alone. Accuracy: 32 eps of the sum of |terms|, the
-   direct one times (1 + sum of |its change for a turn of the directions by 1 radian|), for exponents to 13 (tests/test_vo.c). */
+   Cost: for each light and occluder 30 operations and a power for block, the same for focus, 40 for DD, 15 and a power each
+   for DS and SS, where not off; a gloss that is an integer up to 64 needs products alone. About 45 ns an occluder and light.
+   Accuracy: 32 eps of the sum of |terms|, the direct one times (1 + sum of |its change for a turn of the directions by 1
+   radian|), for exponents to 13 (tests/test_vo.c). */
 PRTDEF prt_result prt_vo_shade(const prt_vo_params *params, const prt_vo_point *point, prt_vec3 eye,
                                int occluder_count, const prt_vo_occluder *occluders,
                                int light_count, const prt_point_light *lights, prt_rgb *out);
 
 /* The same for many points, out[count]. Point k sees occluders[first[k]] ... occluders[first[k+1] - 1]:
    first[count + 1], first[0] >= 0, not decreasing (PRT_ERR_COUNT). Each point is the same bits whatever count and place;
-   it differs from prt_vo_shade by rounding.
-   Errors: PRT_ERR_COUNT, PRT_ERR_NULL. */
+   it differs from prt_vo_shade by rounding, and counts directions shorter than 5e-19 (float) as none.
+   Errors: PRT_ERR_COUNT, PRT_ERR_NULL. Cost: at 8 lights and 5 opaque occluders 80 ns a point for DD with AVX-512, 1.9 times
+   what its arithmetic takes at the peak rate and a 24th of the loop over points; 250 ns, a ninth, with SSE2 (bench rows
+   vo_dd, vo_all; Zen 5, gcc -O3). Packed: the same. Accuracy: 64 eps as above. */
 PRTDEF prt_result prt_vo_shade_n(const prt_vo_params *params, int count, const prt_vo_point *points, prt_vec3 eye,
                                  const int *first, const prt_vo_occluder *occluders,
                                  int light_count, const prt_point_light *lights, prt_rgb *out);
@@ -907,7 +909,7 @@ typedef struct prt_vo_packed_diffuse { uint32_t word[5]; } prt_vo_packed_diffuse
    from 6e-8 to 65504 units are held. out must not overlap the input.
    Errors: PRT_ERR_COUNT; PRT_ERR_NULL; PRT_ERR_VALUE, before anything is written: unit not positive and finite; packing:
    a number that is not finite, a colour outside 0 ... 1, a factor below 0 or above 65504, a distance above 65504 units.
-   Cost: 0.3 us an occluder to pack. */
+   Cost: a packed occluder takes two passes of scalar code; unpacking is SIMD. */
 PRTDEF prt_result prt_vo_pack          (prt_real unit, prt_vec3 position, int count, const prt_vo_occluder *occluders,
                                         prt_vo_packed *out);
 PRTDEF prt_result prt_vo_pack_diffuse  (prt_real unit, prt_vec3 position, int count, const prt_vo_occluder *occluders,

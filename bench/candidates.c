@@ -31,6 +31,50 @@ static const prt_real *blocks_of(int n) {
     if (n != built && prt_sh_rotation(n, turn, blocks) == PRT_OK) built = n;
     return blocks;
 }
+/* Points that see VO_SEEN occluders each, and lights, all at random; opaque. Packed forms beside them. */
+enum { VO_POINTS = 1024, VO_SEEN = 5, VO_LIGHTS = 32 };
+typedef struct vo_scene {
+    prt_vo_params dd, all;
+    prt_vo_point points[VO_POINTS];
+    int first[VO_POINTS + 1];
+    prt_vo_occluder occluders[VO_POINTS * VO_SEEN];
+    prt_vo_packed packed[VO_POINTS * VO_SEEN];
+    prt_vo_packed_diffuse packed_diffuse[VO_POINTS * VO_SEEN];
+    prt_point_light lights[VO_LIGHTS];
+} vo_scene;
+static prt_real vo_noise(void) {
+    static uint32_t state = 1;
+    state = state * 1664525u + 1013904223u;
+    return (prt_real)(state >> 8) * (prt_real)(1 / 16777216.0);
+}
+static void vo_fill(prt_real *numbers, size_t count, prt_real low, prt_real high) {
+    for (; count > 0; count--) *numbers++ = low + (high - low) * vo_noise();
+}
+static const vo_scene *vo_scene_of(void) {
+    static vo_scene s;
+    int k;
+    if (s.first[1]) return &s;
+    s.dd.off = PRT_VO_NO_DS | PRT_VO_NO_SS;
+    for (k = 0; k < VO_POINTS; k++) {
+        vo_fill(&s.points[k].position.x, 6, -1, 1);
+        vo_fill(&s.points[k].diffuse.r, 9, 0, 1);
+        s.points[k].shininess = 20;
+        s.first[k + 1] = s.first[k] + VO_SEEN;
+    }
+    for (k = 0; k < VO_POINTS * VO_SEEN; k++) {
+        vo_fill(&s.occluders[k].position.x, 6, -3, 3);
+        vo_fill(&s.occluders[k].diffuse_normal.x, 6, (prt_real)-.5, (prt_real).5);
+        vo_fill(&s.occluders[k].diffuse.r, 7, 0, 1);
+    }
+    for (k = 0; k < VO_POINTS; k++) {
+        prt_vo_pack(1, s.points[k].position, VO_SEEN, s.occluders + s.first[k], s.packed + s.first[k]);
+        prt_vo_pack_diffuse(1, s.points[k].position, VO_SEEN, s.occluders + s.first[k], s.packed_diffuse + s.first[k]);
+    }
+    for (k = 0; k < VO_LIGHTS; k++) { vo_fill(&s.lights[k].position.x, 3, -9, 9); vo_fill(&s.lights[k].color.r, 3, 0, 1); }
+    return &s;
+}
+#define VO (vo_scene_of())
+
 #define BLOCKS blocks
 #define PREPARED const prt_real *blocks = n > 0 ? blocks_of(n) : NULL; (void)blocks; (void)n; (void)items;
 

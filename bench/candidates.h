@@ -90,3 +90,16 @@ EACH (ch_dot,       "ch_dot",   "prt_ch_dot",           LOW, 64,    OUT[0] = prt
 
 /* >>shade */
 BATCH(diffuse_n,    "diffuse_n", "prt_shade_diffuse_n", LOW, 1024,  prt_shade_diffuse_n(n, items, ROWS, F, (prt_rgb *)OUT), 6.0 * n * n, n * n, 3)
+
+/* >>vo: "bands" is the number of lights; five opaque occluders a point. Operations are the additions, multiplications and
+   divisions of the vector code: for each point, occluder, light, and both; comparisons, masks and exponents are not counted */
+#define LIT "1,2,4,8,16,32"
+#define VO_FLOPS(occluder, both) (40.0 + (occluder) * VO_SEEN + 103.0 * n + (both) * (double)n * VO_SEEN)
+#define VO_EYE (VO->lights[0].position)
+#define VO_RGB ((prt_rgb *)OUT)
+EACH (vo_dd_one,    "vo_dd",    "prt_vo_shade, point after point", LIT, VO_POINTS, prt_vo_shade(&VO->dd, VO->points + k, VO_EYE, VO_SEEN, VO->occluders + k * VO_SEEN, n, VO->lights, VO_RGB), VO_FLOPS(60, 65), 16 + 26 * VO_SEEN, 3)
+BATCH(vo_dd_n,      "vo_dd",    "prt_vo_shade_n",       LIT, VO_POINTS, prt_vo_shade_n(&VO->dd, items, VO->points, VO_EYE, VO->first, VO->occluders, n, VO->lights, VO_RGB), VO_FLOPS(60, 65), 16 + 26 * VO_SEEN, 3)
+BATCH(vo_dd_packed, "vo_dd",    "prt_vo_shade_packed_diffuse_n", LIT, VO_POINTS, prt_vo_shade_packed_diffuse_n(&VO->dd, 1, items, VO->points, VO_EYE, VO->first, VO->packed_diffuse, n, VO->lights, VO_RGB), VO_FLOPS(130, 65), 16 + 20.0 / sizeof(prt_real) * VO_SEEN, 3)
+EACH (vo_all_one,   "vo_all",   "prt_vo_shade, point after point", LIT, VO_POINTS, prt_vo_shade(&VO->all, VO->points + k, VO_EYE, VO_SEEN, VO->occluders + k * VO_SEEN, n, VO->lights, VO_RGB), VO_FLOPS(155, 97), 16 + 26 * VO_SEEN, 3)
+BATCH(vo_all_n,     "vo_all",   "prt_vo_shade_n",       LIT, VO_POINTS, prt_vo_shade_n(&VO->all, items, VO->points, VO_EYE, VO->first, VO->occluders, n, VO->lights, VO_RGB), VO_FLOPS(155, 97), 16 + 26 * VO_SEEN, 3)
+BATCH(vo_all_packed, "vo_all",  "prt_vo_shade_packed_n", LIT, VO_POINTS, prt_vo_shade_packed_n(&VO->all, 1, items, VO->points, VO_EYE, VO->first, VO->packed, n, VO->lights, VO_RGB), VO_FLOPS(290, 97), 16 + 40.0 / sizeof(prt_real) * VO_SEEN, 3)
