@@ -1688,21 +1688,46 @@ PRTDEF prt_real prt_sh_dot(int bands, const prt_real *f, const prt_real *g) {
 
 /* ----------------------------------------------------------------------------------------------- >>project ---- */
 
-/* The direction at length 1; 0 if it is not finite or its length differs from 1 by more than 1e-3. */
+/* The direction at length 1; 0 if it is not finite or its length differs from 1 by more than 1e-3. Within that the series of
+   (1+e)^(-1/2) - 1 ends after six terms; it saves the latency of a root and a division. */
 PRT__STATIC int prt__unit(prt_vec3 v, prt_vec3 *unit) {
-    double x = (double)v.x, y = (double)v.y, z = (double)v.z, length = sqrt(x * x + y * y + z * z);
-    if (!prt__finite3(v) || !(fabs(length - 1) <= 1e-3)) return 0;
-    unit->x = (prt_real)(x / length);
-    unit->y = (prt_real)(y / length);
-    unit->z = (prt_real)(z / length);
+    double x = (double)v.x, y = (double)v.y, z = (double)v.z, e = x * x + y * y + z * z - 1, s;
+    if (!prt__finite3(v) || !(e >= -0.001999 && e <= 0.002001)) return 0;
+    s = e * (-0.5 + e * (0.375 + e * (-0.3125 + e * (0.2734375 + e * (-0.24609375 + e * 0.2255859375)))));
+    unit->x = (prt_real)(x + s * x);
+    unit->y = (prt_real)(y + s * y);
+    unit->z = (prt_real)(z + s * z);
     return 1;
 }
 
-/* out_lm = factor_l f_lm; out may be f. */
+/* Where only the product is in the range of prt_real */
+PRT__STATIC void prt__scale_band_wide(int l, double factor, const prt_real *f, prt_real *out) {
+    int i;
+    for (i = l * l; i < (l + 1) * (l + 1); i++) out[i] = (prt_real)(factor * (double)f[i]);
+}
+
+PRT__INLINE void prt__scale_band(int l, double factor, const prt_real *f, prt_real *out) {
+    const prt_real w = (prt_real)factor;
+    int i;
+    for (i = l * l; i < (l + 1) * (l + 1); i++) out[i] = w * f[i];
+}
+PRT__INLINE int prt__in_range(double v) { return !(fabs(v) > (double)PRT__REAL_MAX); }
+
+/* out_lm = factor_l f_lm; out may be f. Low bands one after the other, so that each is a loop of known length. */
 PRT__STATIC void prt__scale_bands(int bands, const double *factor, const prt_real *f, prt_real *out) {
-    int l, i = 0;
-    for (l = 0; l < bands; l++)
-        for (; i < PRT_SH_COUNT(l + 1); i++) out[i] = (prt_real)(factor[l] * (double)f[i]);
+    int l, wide = 0;
+    for (l = 0; l < bands; l++) wide |= !prt__in_range(factor[l]);
+    if (wide) {
+        for (l = 0; l < bands; l++) prt__scale_band_wide(l, factor[l], f, out);
+        return;
+    }
+    prt__scale_band(0, factor[0], f, out);
+    if (bands > 1) prt__scale_band(1, factor[1], f, out);
+    if (bands > 2) prt__scale_band(2, factor[2], f, out);
+    if (bands > 3) prt__scale_band(3, factor[3], f, out);
+    if (bands > 4) prt__scale_band(4, factor[4], f, out);
+    if (bands > 5) prt__scale_band(5, factor[5], f, out);
+    for (l = 6; l < bands; l++) prt__scale_band(l, factor[l], f, out);
 }
 
 /* A function about an axis from its Funk-Hecke factors. */
@@ -1713,31 +1738,34 @@ PRT__STATIC void prt__zonal_light(int bands, const double *factor, prt_vec3 axis
 
 /* Factors of a cap from sin^2 and h = 1 - cos of its half-angle, at most pi/2; `outside`: of all the rest. */
 PRT__STATIC void prt__cap_factors(int bands, double sin2, double h, int outside, double *factor) {
-    double u = 1, step = 0, sign = 1;
+    static const double low[8][2] = {                                 /* the same quotients, of l-1 and of 2l+1 */
+        { 0, 0 }, { 0, 3 / 3.0 }, { 1 / 4.0, 5 / 4.0 }, { 2 / 5.0, 7 / 5.0 }, { 3 / 6.0, 9 / 6.0 }, { 4 / 7.0, 11 / 7.0 },
+        { 5 / 8.0, 13 / 8.0 }, { 6 / 9.0, 15 / 9.0 }
+    };
+    double u = 1, step = 0, scale = PRT__PI * sin2;
     int l;
     factor[0] = outside ? 2 * PRT__PI * (2 - h) : 2 * PRT__PI * h;
     for (l = 1; l < bands; l++) {
-        factor[l] = sign * PRT__PI * sin2 * u;
-        step = ((l - 1) * step - (2 * l + 1) * h * u) / (l + 2);
+        factor[l] = scale * u;
+        if (l < 8) step = low[l][0] * step - low[l][1] * (h * u);
+        else step = ((l - 1) * step - (2 * l + 1) * h * u) / (l + 2);
         u += step;
-        if (outside) sign = -sign;
+        if (outside) scale = -scale;
     }
 }
 
 /* pi, 2 pi/3, pi/4, 0, -pi/24, 0, pi/64 ... */
 PRT__STATIC void prt__cosine_factors(int bands, double *factor) {
+    static const double low[8] = { PRT__PI, 2 * PRT__PI / 3, PRT__PI / 4, 0, -PRT__PI / 24, 0, PRT__PI / 64, 0 };
     int l;
-    factor[0] = PRT__PI;
-    if (bands > 1) factor[1] = 2 * PRT__PI / 3;
-    for (l = 2; l < bands; l++) factor[l] = factor[l - 2] * (3 - l) / (l + 2);
+    for (l = 0; l < bands; l++) factor[l] = l < 8 ? low[l] : factor[l - 2] * (3 - l) / (l + 2);
 }
 
 /* 1 above and -1 below: 4 pi int_0^1 P_l for odd l, 0 for even l. */
 PRT__STATIC void prt__sign_factors(int bands, double *factor) {
+    static const double low[8] = { 0, 2 * PRT__PI, 0, -PRT__PI / 2, 0, PRT__PI / 4, 0, -5 * PRT__PI / 32 };
     int l;
-    factor[0] = 0;
-    if (bands > 1) factor[1] = 2 * PRT__PI;
-    for (l = 2; l < bands; l++) factor[l] = factor[l - 2] * (2 - l) / (l + 1);
+    for (l = 0; l < bands; l++) factor[l] = l < 8 ? low[l] : factor[l - 2] * (2 - l) / (l + 1);
 }
 
 PRTDEF prt_result prt_sh_add_sample(int bands, prt_vec3 dir, prt_real value_times_weight, prt_real *f) {
@@ -1759,7 +1787,7 @@ PRTDEF prt_result prt_sh_delta(int bands, prt_vec3 dir, prt_real *f) {
 }
 
 PRTDEF prt_result prt_sh_cone(int bands, prt_vec3 axis, prt_real half_angle, prt_real *f) {
-    double factor[PRT_MAX_BANDS], angle, sine, half;
+    double factor[PRT_MAX_BANDS], angle, half, h;
     int wide;
     if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
     if (!f) return PRT_ERR_NULL;
@@ -1768,31 +1796,35 @@ PRTDEF prt_result prt_sh_cone(int bands, prt_vec3 axis, prt_real half_angle, prt
     angle = (double)half_angle;
     wide = angle > PRT__PI / 2;
     if (wide) angle = angle < PRT__PI ? PRT__PI - angle : 0;          /* float rounds pi up */
-    sine = sin(angle);
     half = sin(angle / 2);
-    prt__cap_factors(bands, sine * sine, 2 * half * half, wide, factor);
+    h = 2 * half * half;
+    prt__cap_factors(bands, h * (2 - h), h, wide, factor);
     prt__zonal_light(bands, factor, axis, f);
     return PRT_OK;
 }
 
 PRTDEF prt_result prt_sh_sphere(int bands, prt_vec3 to_centre, prt_real radius, prt_real *f) {
     double factor[PRT_MAX_BANDS], scale, x, y, z, r, d, sin2 = 0, h = 0;
-    int inside, exponent;
+    int inside;
     if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
     if (!f) return PRT_ERR_NULL;
     if (!prt__finite3(to_centre) || !prt__finite(radius) || radius < 0) return PRT_ERR_VALUE;
     x = (double)to_centre.x; y = (double)to_centre.y; z = (double)to_centre.z; r = (double)radius;
-    scale = fmax(r, fmax(fabs(x), fmax(fabs(y), fabs(z))));           /* so that no square overflows: by a power of */
-    (void)frexp(scale, &exponent);                                    /* two, so that `inside` is not rounded */
-    x = ldexp(x, -exponent); y = ldexp(y, -exponent); z = ldexp(z, -exponent); r = ldexp(r, -exponent);
+    scale = r + fabs(x) + fabs(y) + fabs(z);
+    if (!(scale > 1e-140 && scale < 1e140)) {                         /* squares would overflow, or vanish: never in float */
+        int exponent;
+        (void)frexp(scale < DBL_MAX / 8 ? scale : DBL_MAX / 8, &exponent);    /* a power of 2 keeps `inside` exact */
+        x = ldexp(x, -exponent); y = ldexp(y, -exponent); z = ldexp(z, -exponent); r = ldexp(r, -exponent);
+    }
     d = sqrt(x * x + y * y + z * z);
     inside = d < r;
     to_centre.x = 0; to_centre.y = 0; to_centre.z = 1;
     if (d > 0) {
-        to_centre.x = (prt_real)(x / d); to_centre.y = (prt_real)(y / d); to_centre.z = (prt_real)(z / d);
+        double inverse = 1 / d, sine = r * inverse;
+        to_centre.x = (prt_real)(x * inverse); to_centre.y = (prt_real)(y * inverse); to_centre.z = (prt_real)(z * inverse);
         if (!inside) {
-            sin2 = (r / d) * (r / d);
-            h = sin2 / (1 + sqrt((d - r) * (d + r)) / d);
+            sin2 = sine * sine;
+            h = sin2 / (1 + sqrt((d - r) * (d + r)) * inverse);
         }
     }
     prt__cap_factors(bands, sin2, h, inside, factor);
@@ -2197,7 +2229,7 @@ PRTDEF prt_result prt_sh_convolve(int bands, const prt_real *f, const prt_real *
     int l;
     if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
     if (!f || !zonal || !out) return PRT_ERR_NULL;
-    for (l = 0; l < bands; l++) factor[l] = sqrt(4 * PRT__PI / (2 * l + 1)) * (double)zonal[l];
+    for (l = 0; l < bands; l++) factor[l] = 3.5449077018110320546 * prt__inverse_root(2 * l + 1) * (double)zonal[l];
     prt__scale_bands(bands, factor, f, out);
     return PRT_OK;
 }
@@ -2526,10 +2558,27 @@ PRT__STATIC int prt__window_width_ok(prt_window w, int width) {
     return width >= 1 && (w != PRT_WINDOW_POSITIVE || width <= PRT_MAX_BANDS);
 }
 
+enum { PRT__WINDOW_TABLES = 16 };                                      /* generated: weights to this width */
+static const double *prt__window_hann(void), *prt__window_lanczos(void), *prt__window_positive(void);
+
+/* The weights of a window that is tabulated, or NULL */
+PRT__STATIC const double *prt__window_row(prt_window w, int width) {
+    int first = width * (width - 1) / 2;
+    if (width > PRT__WINDOW_TABLES) return NULL;
+    switch (w) {
+        case PRT_WINDOW_HANN:     return prt__window_hann() + first;
+        case PRT_WINDOW_LANCZOS:  return prt__window_lanczos() + first;
+        case PRT_WINDOW_POSITIVE: return prt__window_positive() + first;
+        case PRT_WINDOW_NONE: default: return NULL;
+    }
+}
+
 /* The weights of bands 0 ... bands-1. */
 PRT__STATIC void prt__window_weights(prt_window w, int width, int bands, double *weight) {
     int l, kept = bands < width ? bands : width;
-    if (w == PRT_WINDOW_POSITIVE) prt__positive_weights(width, kept, weight);
+    const double *row = prt__window_row(w, width);
+    if (row) for (l = 0; l < kept; l++) weight[l] = row[l];
+    else if (w == PRT_WINDOW_POSITIVE) prt__positive_weights(width, kept, weight);
     else
         for (l = 0; l < kept; l++)
             weight[l] = w == PRT_WINDOW_HANN ? prt__hann(l, width) :
@@ -2539,7 +2588,10 @@ PRT__STATIC void prt__window_weights(prt_window w, int width, int bands, double 
 
 PRTDEF prt_real prt_window_weight(prt_window w, int l, int width) {
     prt__kernel kernel;
+    const double *row;
     if (!prt__window_ok(w) || !prt__window_width_ok(w, width) || l < 0 || l >= width) return 0;
+    row = prt__window_row(w, width);
+    if (row) return (prt_real)row[l];
     switch (w) {
         case PRT_WINDOW_HANN:    return (prt_real)prt__hann(l, width);
         case PRT_WINDOW_LANCZOS: return (prt_real)prt__lanczos(l, width);
@@ -13068,6 +13120,118 @@ PRT__STATIC void prt__ch_at_10(const prt_real *f, prt_real x, prt_real y, prt_re
 
 /* END GENERATED */
 #endif /* PRT_NO_CH */
+
+/* BEGIN GENERATED: prt_codegen --table windows --count 16 */
+/* hann windows: weight of band l for width 1 ... 16 at (width-1) width/2 + l */
+PRT__STATIC const double *prt__window_hann(void) {
+    static const double table[136] = {
+        1.0, 1.0, 0.5, 1.0, 0.75, 0.25, 1.0, 0.8535533905932737622, 0.5, 0.1464466094067262378,
+        1.0, 0.90450849718747371205, 0.65450849718747371205, 0.34549150281252628795, 0.095491502812526287949,
+        1.0, 0.93301270189221932338, 0.75, 0.5, 0.25, 0.066987298107780676618, 1.0, 0.95048443395120956312,
+        0.81174490092936676526, 0.61126046697815720214, 0.38873953302184279786, 0.18825509907063323474,
+        0.049515566048790436882, 1.0, 0.96193976625564337806, 0.8535533905932737622, 0.69134171618254488586,
+        0.5, 0.30865828381745511414, 0.1464466094067262378, 0.038060233744356621936, 1.0, 0.96984631039295419203,
+        0.8830222215594890176, 0.75, 0.58682408883346517443, 0.41317591116653482557, 0.25, 0.1169777784405109824,
+        0.030153689607045807973, 1.0, 0.97552825814757678606, 0.90450849718747371205, 0.79389262614623656458,
+        0.65450849718747371205, 0.5, 0.34549150281252628795, 0.20610737385376343542, 0.095491502812526287949,
+        0.024471741852423213942, 1.0, 0.97974648680724869495, 0.92062676641559058443, 0.82743036697264253203,
+        0.70770750650094321276, 0.57115741913664257022, 0.42884258086335742978, 0.29229249349905678724,
+        0.17256963302735746797, 0.079373233584409415569, 0.020253513192751305055, 1.0, 0.98296291314453414337,
+        0.93301270189221932338, 0.8535533905932737622, 0.75, 0.62940952255126038117, 0.5, 0.37059047744873961883,
+        0.25, 0.1464466094067262378, 0.066987298107780676618, 0.017037086855465856625, 1.0, 0.98547090871302601358,
+        0.94272801282660494795, 0.87425537408555054932, 0.78403237336557790126, 0.67730244352126781298,
+        0.56026834012766152667, 0.43973165987233847333, 0.32269755647873218702, 0.21596762663442209874,
+        0.12574462591444945068, 0.05727198717339505205, 0.014529091286973986422, 1.0, 0.98746395609091180351,
+        0.95048443395120956312, 0.89091574123401490435, 0.81174490092936676526, 0.71694186955877906024,
+        0.61126046697815720214, 0.5, 0.38873953302184279786, 0.28305813044122093976, 0.18825509907063323474,
+        0.10908425876598509565, 0.049515566048790436882, 0.012536043909088196491, 1.0, 0.98907380036690281896,
+        0.95677272882130044775, 0.90450849718747371205, 0.83456530317942910691, 0.75, 0.65450849718747371205,
+        0.5522642316338267357, 0.4477357683661732643, 0.34549150281252628795, 0.25, 0.16543469682057089309,
+        0.095491502812526287949, 0.043227271178699552249, 0.010926199633097181036, 1.0, 0.99039264020161522456,
+        0.96193976625564337806, 0.91573480615127261854, 0.8535533905932737622, 0.77778511650980111237,
+        0.69134171618254488586, 0.59754516100806413392, 0.5, 0.40245483899193586608, 0.30865828381745511414,
+        0.22221488349019888763, 0.1464466094067262378, 0.084265193848727381461, 0.038060233744356621936,
+        0.0096073597983847754369
+    };
+    return table;
+}
+
+/* lanczos windows: weight of band l for width 1 ... 16 at (width-1) width/2 + l */
+PRT__STATIC const double *prt__window_lanczos(void) {
+    static const double table[136] = {
+        1.0, 1.0, 0.63661977236758134308, 1.0, 0.82699334313268807427, 0.41349667156634403713,
+        1.0, 0.90031631615710606956, 0.63661977236758134308, 0.30010543871903535652, 1.0, 0.93548928378863903321,
+        0.75682672864065697923, 0.50455115242710465282, 0.2338723209471597583, 1.0, 0.95492965855137201461,
+        0.82699334313268807427, 0.63661977236758134308, 0.41349667156634403713, 0.19098593171027440292,
+        1.0, 0.96676638530855214796, 0.87102641569756015086, 0.72410144978265952504, 0.54307608733699464378,
+        0.34841056627902406035, 0.16112773088475869133, 1.0, 0.97449535840443264512, 0.90031631615710606956,
+        0.78421330357653712202, 0.63661977236758134308, 0.47052798214592227321, 0.30010543871903535652,
+        0.13921362262920466359, 1.0, 0.97981553605101648399, 0.92072542895852937812, 0.82699334313268807427,
+        0.70531659849201881006, 0.56425327879361504804, 0.41349667156634403713, 0.2630644082738655366,
+        0.1224769420063770605, 1.0, 0.98363164308346596735, 0.93548928378863903321, 0.85839369133413977501,
+        0.75682672864065697923, 0.63661977236758134308, 0.50455115242710465282, 0.36788301057177418929,
+        0.2338723209471597583, 0.10929240478705177415, 1.0, 0.98646083912710205269, 0.94650224388831548428,
+        0.88206272365255806559, 0.79624835650368565609, 0.69315389111626959647, 0.57762824259689133039,
+        0.45499906085924894633, 0.3307735213697092746, 0.21033383197518121873, 0.098646083912710205269,
+        1.0, 0.98861592946536921938, 0.95492965855137201461, 0.90031631615710606956, 0.82699334313268807427,
+        0.73791297558733748561, 0.63661977236758134308, 0.52708069684809820401, 0.41349667156634403713,
+        0.30010543871903535652, 0.19098593171027440292, 0.089874175405942656308, 1.0, 0.99029504419782001947,
+        0.96151887000144388821, 0.91467349077225437371, 0.85138267722204389049, 0.77382477585189397258,
+        0.68464293891021285808, 0.58683680478018244978, 0.48364048490743373286, 0.37839230098757506244,
+        0.27440204723167631211, 0.1748216127275352524, 0.082524587016485001622, 1.0, 0.99162858425603334449,
+        0.96676638530855214796, 0.92616051670990244874, 0.87102641569756015086, 0.8030044338320417405,
+        0.72410144978265952504, 0.63661977236758134308, 0.54307608733699464378, 0.44611357435113430028,
+        0.34841056627902406035, 0.25258923182997339511, 0.16112773088475869133, 0.076279121865848718807,
+        1.0, 0.99270519960720675966, 0.97101220923176290694, 0.93548928378863903321, 0.88706379305918377893,
+        0.82699334313268807427, 0.75682672864065697923, 0.67835603854706327336, 0.59356153372868036419,
+        0.50455115242710465282, 0.41349667156634403713, 0.32256865202152137416, 0.2338723209471597583,
+        0.14938649372796352414, 0.07090751425765762569, 1.0, 0.9935868511442057663, 0.97449535840443264512,
+        0.94316532074438211273, 0.90031631615710606956, 0.84692799250337193706, 0.78421330357653712202,
+        0.71358548794489029397, 0.63661977236758134308, 0.55501093506824800642, 0.47052798214592227321,
+        0.38496726931971451685, 0.30010543871903535652, 0.21765353555639587217, 0.13921362262920466359,
+        0.066239123409613717754
+    };
+    return table;
+}
+
+/* positive windows: weight of band l for width 1 ... 16 at (width-1) width/2 + l */
+PRT__STATIC const double *prt__window_positive(void) {
+    static const double table[136] = {
+        1.0, 1.0, 0.33333333333333333333, 1.0, 0.57735026918962576451, 0.2, 1.0, 0.68989794855663561964,
+        0.34494897427831780982, 0.093578717960240312883, 1.0, 0.77459666924148337704, 0.48571428571428571429,
+        0.22131333406899525058, 0.063492063492063492063, 1.0, 0.82282408097459210521, 0.57611430205408276365,
+        0.32616412509556891217, 0.14039292951996396188, 0.035680614305211888582, 1.0, 0.86113631159405257522,
+        0.65540766286107894359, 0.42838905754161649851, 0.23543778300977621503, 0.098351648648280926527,
+        0.026356494317880762619, 1.0, 0.88579160777096463561, 0.70924614273658511646, 0.50478388446010662338,
+        0.31542540151686073445, 0.16508996392378056997, 0.066989588507976113483, 0.016604824016209008501,
+        1.0, 0.9061798459386639928, 0.7561298816164829212, 0.5746945664799351087, 0.39586103728594092058,
+        0.2402739072003459132, 0.12456097908283001293, 0.049977780595316047141, 0.012976980055159098854,
+        1.0, 0.92038028589706251532, 0.78976232216844298264, 0.62742332427006856566, 0.46005819708814381817,
+        0.30622691080359980486, 0.18139073493923034635, 0.091352913885923727042, 0.036016972790941475148,
+        0.0088320853463888206389, 1.0, 0.93246951420315202781, 0.81930685450220939568, 0.67505293842206772367,
+        0.52101418341507956065, 0.37244297618895996577, 0.24399573979984582179, 0.14245248722649306337,
+        0.07160169429670985373, 0.028116584500175400155, 0.0071792426229772324729, 1.0, 0.94136714568043021606,
+        0.84145400056051045293, 0.71185600683306375858, 0.56966136160507929453, 0.42802621347728644223,
+        0.29970270433610036942, 0.19233495096893660368, 0.11061917856337013722, 0.054531127410892559144,
+        0.021161945486990115301, 0.0051646428677286943586, 1.0, 0.94910791234275852453, 0.86112816098028115886,
+        0.74512497236684605117, 0.61499496808419465795, 0.4815371410752342585, 0.35608782449306076629,
+        0.24580683319603685916, 0.15643398344906205522, 0.089271862773536158875, 0.044063997692037006526,
+        0.017086508211739221467, 0.0043206488087273198723, 1.0, 0.95504122712257500378, 0.87639589211471016209,
+        0.77146638909829611871, 0.65163304004515694892, 0.52614734042714737158, 0.40473450091614772793,
+        0.2943202429802143532, 0.20050199987317033717, 0.12586353092009634319, 0.071107606632923218413,
+        0.034603998348757134312, 0.013303235772430160729, 0.0032403007546311967842, 1.0, 0.96028985649753623168,
+        0.89010344728290644066, 0.79539525518773670114, 0.68559550155273914108, 0.5683764975602726757,
+        0.45223634690067764117, 0.34333987378308093884, 0.24730159263840422324, 0.16702497296140045597,
+        0.10437716082397107193, 0.058712309660426287951, 0.028650517849476793725, 0.011022980392886860412,
+        0.0027707461316773926296, 1.0, 0.96444016970527309637, 0.90103852466660929085, 0.81475660394443598235,
+        0.71346228281742165917, 0.60375346589007652363, 0.49292757111561328156, 0.38666863473687317316,
+        0.2901408729263988644, 0.20662479478518149205, 0.13829614113919610345, 0.08558327486297905011,
+        0.04779632775263624675, 0.023069022750020088503, 0.0088167389767978915657, 0.0021462774651431782107
+    };
+    return table;
+}
+
+/* END GENERATED */
 
 /* BEGIN GENERATED: prt_codegen --table grids --count 16 */
 /* nodes of the product grids, z >= 0 */

@@ -167,11 +167,15 @@ kernel *describe_sh_window_hann(int bands) {
     return scaled_bands("sh_window_hann", "Hann window as wide as the bands", bands, weight);
 }
 
-kernel *describe_sh_window_lanczos(int bands) {
-    xreal weight[64];
+static void lanczos_weights(int bands, xreal *weight) {
     int l;
     weight[0] = 1;
     for (l = 1; l < bands; l++) weight[l] = x_sin(x_pi() * l / bands) / (x_pi() * l / bands);
+}
+
+kernel *describe_sh_window_lanczos(int bands) {
+    xreal weight[64];
+    lanczos_weights(bands, weight);
     return scaled_bands("sh_window_lanczos", "Lanczos window as wide as the bands", bands, weight);
 }
 
@@ -266,4 +270,30 @@ kernel *describe_sh_window_positive(int bands) {
 void window_weights(int bands, int positive, xreal *weight) {
     if (positive) positive_weights(bands, weight);
     else hann_weights(bands, weight);
+}
+
+/* double prt__window_NAME()[(width-1) width/2 + l]: the weights of windows of width 1 ... widest */
+static void print_window_table(FILE *to, const char *name, void (*weights)(int, xreal *), int widest) {
+    int width, l, column = 0;
+    fprintf(to, "/* %s windows: weight of band l for width 1 ... %d at (width-1) width/2 + l */\n", name, widest);
+    fprintf(to, "PRT__STATIC const double *prt__window_%s(void) {\n    static const double table[%d] = {\n", name,
+            widest * (widest + 1) / 2);
+    for (width = 1; width <= widest; width++) {
+        xreal weight[64];
+        weights(width, weight);
+        for (l = 0; l < width; l++) {
+            char text[64];
+            int last = width == widest && l + 1 == width;
+            x_print(weight[l], 20, text);
+            column += fprintf(to, "%s%s%s", column ? " " : "        ", text, last ? "" : ",");
+            if (column > 92 || last) { fprintf(to, "\n"); column = 0; }
+        }
+    }
+    fprintf(to, "    };\n    return table;\n}\n\n");
+}
+
+void print_window_tables(FILE *to, int widest) {
+    print_window_table(to, "hann", hann_weights, widest);
+    print_window_table(to, "lanczos", lanczos_weights, widest);
+    print_window_table(to, "positive", positive_weights, widest);
 }

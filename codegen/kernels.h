@@ -79,5 +79,6 @@ description describe_sh_rows, describe_sh_terms, describe_row_product;
 
 void print_grid_tables(FILE *to, int bands);           /* table_grid.c */
 void print_node_tables(FILE *to, int bands);
+void print_window_tables(FILE *to, int widest);        /* kernel_project.c */
 
 #endif

@@ -101,6 +101,11 @@ static int print_table(FILE *to, const request *r) {
         print_grid_tables(to, r->count);
         return 0;
     }
+    if (!strcmp(r->table, "windows")) {
+        if (r->count < 1 || r->count > 20) return fail("table", r->table, "give --count from 1 to 20");
+        print_window_tables(to, r->count);
+        return 0;
+    }
     if (!strcmp(r->table, "nodes")) {
         if (r->last_bands < 3 || r->last_bands > 6) return fail("table", r->table, "give --bands from 3-3 to 3-6");
         print_node_tables(to, r->last_bands);
@@ -116,7 +121,7 @@ static int print_table(FILE *to, const request *r) {
         print_swaps(to);
         return 0;
     }
-    if (strcmp(r->table, "roots")) return fail("unknown table", r->table, "use roots, ch_steps, grids, nodes or swap_yz");
+    if (strcmp(r->table, "roots")) return fail("unknown table", r->table, "use roots, ch_steps, grids, nodes, windows or swap_yz");
     if (r->count < 2 || r->count > 100000) return fail("table", r->table, "give --count from 2 to 100000");
     print_root_table(to, "roots", "sqrt(k)", r->count, 0);
     print_root_table(to, "inverse_roots", "1/sqrt(k), and 0", r->count, 1);
