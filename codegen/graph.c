@@ -231,6 +231,8 @@ static void visit(const kernel *k, node n, schedule *s) {
     int i;
     if (d->op == OP_CONST || s->made[n]) return;
     operand[0] = d->a; operand[1] = d->b; operand[2] = d->c; operand[3] = d->d;
+    for (i = 0; i < op_operands(d->op); i++)           /* what is loaded is loaded where it is needed: last */
+        if (k->nodes[operand[i]].op != OP_INPUT) visit(k, operand[i], s);
     for (i = 0; i < op_operands(d->op); i++) visit(k, operand[i], s);
     s->made[n] = ++s->time;
     for (i = 0; i < op_operands(d->op); i++) s->last[operand[i]] = s->time;

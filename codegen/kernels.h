@@ -1,9 +1,9 @@
-/* The families of kernels: one description each, in kernel_<room>.c. To add one: write its describe function, declare it
-   here, and give it a line in families.c. */
+/* The families of kernels: one description each, in kernel_<room>.c, and a line in families.h. */
 #ifndef PRT_CODEGEN_KERNELS_H
 #define PRT_CODEGEN_KERNELS_H
 
 #include <stdio.h>
+#include "families.h"
 #include "graph.h"
 
 /* Forms that prt.h needs of a family (see language.h), and the text in every language */
@@ -18,6 +18,10 @@ typedef struct family {
     unsigned forms;
     kernel *(*describe)(int bands);
 } family;
+
+#define FAMILY_DECLARATION(name, description, from, to, forms) kernel *describe_##description(int bands);
+FAMILIES(FAMILY_DECLARATION)
+#undef FAMILY_DECLARATION
 
 extern const family families[];
 extern const int family_count;
@@ -60,22 +64,7 @@ void input_nodes(kernel *k, const char *name, int count, node *values);
 void output_nodes(kernel *k, const char *name, int count, const node *values);
 
 factor sh_factor_a, ch_factor_a, ch_factor_c;
-typedef kernel *description(int bands);
-description describe_sh_eval, describe_sh_at, describe_ch_eval, describe_ch_at;
-description describe_sh_delta, describe_sh_cone, describe_sh_sphere, describe_sh_cosine_lobe, describe_sh_hemisphere;
-description describe_sh_convolve, describe_sh_irradiance, describe_sh_zonal_to;
-description describe_sh_window_hann, describe_sh_window_lanczos, describe_sh_window_positive;
-description describe_sh_rotate, describe_sh_rotate_matrix, describe_sh_turn, describe_sh_rotate_z, describe_rotation_from_quaternion;
-description describe_sh_product, describe_sh_square, describe_sh_product_zonal;
-description describe_sh_mask_hann, describe_sh_mask_filter_positive;
-description describe_ch_from_sh, describe_sh_from_ch, describe_ch_from_moments, describe_ch_to_moments, describe_ch_dot;
-description describe_ch_rotate, describe_ch_product;
-description describe_sh_dot, describe_shade_diffuse, describe_shade_diffuse_four;
-description describe_fiv_irradiance, describe_fiv_place, describe_fiv_blend, describe_fiv_taken, describe_fiv_overlap, describe_fiv_self;
-description describe_vo_direct, describe_vo_pass, describe_vo_pass_cap, describe_vo_sent;
-
 void print_swaps(FILE *to);                            /* tables and code of the swap of y and z, four lanes */
-description describe_sh_rows, describe_sh_terms, describe_row_product;
 
 void print_grid_tables(FILE *to, int bands);           /* table_grid.c */
 void print_node_tables(FILE *to, int bands);

@@ -7,6 +7,8 @@
 #endif
 #include "../codegen/xreal.c"
 #include "../codegen/graph.c"
+#include "../codegen/approximate.c"
+#include "shaders/error_bound.h"
 #include "test.h"
 #include <mpfr.h>
 
@@ -97,11 +99,58 @@ static void equal_expressions_are_one_node_and_constants_fold(void **state) {
     kernel_free(k);
 }
 
+static void arc_functions_keep_their_bounds(void **state) {
+    const arithmetic exact = { 0, 0, 0, 0 };
+    kernel *k = kernel_new("test", "test");
+    node x = k_scalar(k, kernel_param(k, "x", PARAM_SCALAR, 0)), y = k_scalar(k, kernel_param(k, "y", PARAM_SCALAR, 0));
+    int out = kernel_param(k, "out", PARAM_OUTPUT, 4), i;
+    (void)state;
+    kernel_output(k, out, 0, k_sine(k, k_scale(k, x_pi() / 2, x)));
+    kernel_output(k, out, 1, k_arc_cosine(k, x));
+    kernel_output(k, out, 2, k_arc_tangent(k, y, x));
+    kernel_output(k, out, 3, k_power(k, k_max(k, x, k_const(k, 0)), y));
+    kernel_count_uses(k);
+    for (i = 0; i <= 4000; i++) {
+        double in[2];
+        bounded got[4];
+        in[0] = -1 + i / 2000.0;
+        in[1] = i % 3 ? sin(i) : i % 2 ? 0 : 1e-9 * in[0];
+        bound_kernel(k, in, exact, got);
+        assert_near(got[0].value, sin(3.141592653589793 / 2 * in[0]), 3e-11);
+        assert_near(got[1].value, acos(in[0]), 5e-9);
+        assert_near(got[2].value, in[0] == 0 && in[1] == 0 ? 0 : atan2(in[1], in[0]), 5e-9);
+        assert_near(got[3].value, in[1] > 0 ? pow(in[0] > 0 ? in[0] : 0, in[1]) : 1, 1e-15);
+    }
+    kernel_free(k);
+}
+
+/* ((a + b) * (c + d)) needs three values at most at a time, the chain a + b + c + d two. */
+static void live_values_are_counted_in_the_order_of_printing(void **state) {
+    kernel *k = kernel_new("test", "test");
+    int f = kernel_param(k, "f", PARAM_INPUT, 4), out = kernel_param(k, "out", PARAM_OUTPUT, 1);
+    node a = k_element(k, f, 0), b = k_element(k, f, 1), c = k_element(k, f, 2), d = k_element(k, f, 3);
+    (void)state;
+    kernel_output(k, out, 0, k_mul(k, k_add(k, a, b), k_add(k, c, d)));
+    kernel_count_uses(k);
+    assert_int_equal(kernel_live_values(k), 3);
+    kernel_free(k);
+    k = kernel_new("test", "test");
+    f = kernel_param(k, "f", PARAM_INPUT, 4);
+    out = kernel_param(k, "out", PARAM_OUTPUT, 1);
+    a = k_element(k, f, 0); b = k_element(k, f, 1); c = k_element(k, f, 2); d = k_element(k, f, 3);
+    kernel_output(k, out, 0, k_add(k, k_add(k, k_add(k, a, b), c), d));
+    kernel_count_uses(k);
+    assert_int_equal(kernel_live_values(k), 2);
+    kernel_free(k);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(constants_are_right_to_the_last_digit),
         cmocka_unit_test(constants_print_in_every_range),
         cmocka_unit_test(equal_expressions_are_one_node_and_constants_fold),
+        cmocka_unit_test(arc_functions_keep_their_bounds),
+        cmocka_unit_test(live_values_are_counted_in_the_order_of_printing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

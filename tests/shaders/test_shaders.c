@@ -3,11 +3,11 @@
      1. the description, evaluated in double, with the function of prt.h (double) that it stands for;
      2. what the language computed with the description, within the running error bound of float arithmetic.
 
-     test_shaders TARGET... [--naga MODULES] [--only KERNEL] [--bands some|all] [--markdown FILE]
+     test_shaders TARGET... [--naga MODULES] [--only KERNEL] [--bands some|all] [--markdown FILE] [--cost FILE]
 
    TARGET: a line of the table `targets`. One line of TAP a kernel; a target that this machine cannot run is skipped, with
    the reason. C and Metal run at 1 to 10 bands, the others, which take long to compile, at 4 unless --bands all.
-   --markdown writes the outcomes at 4 bands as tables. */
+   --markdown writes the outcomes at 4 bands as tables, --cost how many instructions the kernels have. */
 #define PRT_DOUBLE
 #define PRT_STATIC
 #define PRT_IMPLEMENTATION
@@ -750,14 +750,17 @@ static int write_page(const char *path) {
         "<!-- Written by test_shaders --markdown: do not edit. -->\n# Generated kernels in every language, against prt.h\n\n"
         "4 bands, %d inputs each, the axes, places from 1e-0.5 to 1e-9 rad off the poles, zero and full cones and vectors of\n"
         "length 0 among them. *Largest output*: to set errors against. *Description*: largest difference between the description,\n"
-        "evaluated in double, and the function of prt.h in double, over the largest output. The other columns: largest difference\n"
-        "between what the language computed and the description in double at the same inputs; in parentheses the largest share of\n"
-        "the running error bound that the operations of the kernel allow, and above 1 the test fails. –: not run here.\n\n"
-        "How each was run: c by the C compiler (%s); metal as C++ through a shim of `<metal_stdlib>` (no Metal compiler was at\n"
-        "hand, so Metal's own rules were not checked); glsl330 in a fragment shader and glsl430 in a compute shader of Mesa's\n"
-        "llvmpipe by OSMesa; glsl450 by glslangValidator, hlsl by glslangValidator, wgsl by naga to SPIR-V, which spirv-val\n"
-        "passed and %s ran%s; msl is the SPIR-V of glsl450 translated to Metal by spirv-cross and run through the shim.\n\n",
-        ITEMS, __VERSION__, have_vulkan ? vulkan_name() : "OpenGL", have_vulkan ? " by Vulkan" : ", after spirv-cross");
+        "evaluated in double, and the function of prt.h in double, over the largest output; above 1e-13 it is that of the\n"
+        "polynomials that stand for sine and arc functions. The other columns: largest difference between what the language\n"
+        "computed and the description in double at the same inputs; in parentheses the largest share of the running error bound\n"
+        "that the operations of the kernel allow: above 1 the test fails. –: not run here.\n\n", ITEMS);
+    fprintf(page,
+        "How each was run. c: the C compiler (%s). metal: as C++ through a shim of `<metal_stdlib>`; no Metal compiler was at\n"
+        "hand, so Metal's own rules were not checked. glsl330: fragment shader, glsl430: compute shader, by OSMesa (llvmpipe).\n"
+        "glsl450, hlsl: by glslangValidator, wgsl: by naga to SPIR-V, which spirv-val passed and %s ran%s.\n"
+        "webgpu: WGSL in headless Chromium%s%s. msl: what spirv-cross makes of the SPIR-V of glsl450, through the shim.\n\n",
+        __VERSION__, have_vulkan ? vulkan_name() : "OpenGL", have_vulkan ? " by Vulkan" : ", after spirv-cross",
+        *webgpu_name ? ", " : "", webgpu_name);
     print_page_table(page, 0);
     fprintf(page, "\n## Half precision\n\n"
         "Inputs are halves, constants too. c-half: `_Float16`, each operation rounded; metal-half: C++ that rounds each operation;\n"
@@ -767,14 +770,97 @@ static int write_page(const char *path) {
     return fclose(page) ? why_set(&reason, "cannot write %s", path) : 0;
 }
 
+/* ---- what a call costs ---- */
+
+enum { COST_FROM = 2, COST_TO = 6 };
+
+/* Arithmetic and memory instructions of the one function besides main, once its values are in SSA form */
+static const char count_instructions[] =
+    "/ = OpFunction / { inside = $1 != \"%main\"; next }\n"
+    "/OpFunctionEnd/ { inside = 0 }\n"
+    "!inside { next }\n"
+    "{ op = $1 ~ /^%/ ? $3 : $1 }\n"
+    "op == \"OpLoad\" || op == \"OpStore\" { memory++ }\n"
+    "op ~ /^Op(F[A-Z]|ExtInst|Select|Dot|Vector|Composite|Phi)/ && op !~ /^OpFunction/ { work++ }\n"
+    "END { printf \"%d + %d\", work, memory }\n";
+
+static int write_cost_sources(void) {
+    int f, bands;
+    char path[128];
+    FILE *file;
+    for (f = 0; f < family_count; f++)
+        for (bands = COST_FROM; bands <= COST_TO; bands++) {
+            kernel *k;
+            if (!(families[f].forms & FORM_TEXT) || (families[f].max_bands &&
+                (bands < families[f].min_bands || bands > families[f].max_bands))) continue;
+            if (families[f].max_bands == 0 && bands > COST_FROM) continue;
+            snprintf(path, sizeof path, "%s/%d-%d.comp", folder, f, bands);
+            file = fopen(path, "w");
+            if (!file) return why_set(&reason, "cannot write %s", path);
+            k = families[f].describe(bands);
+            wrap_kernel(file, k, "glsl", PRECISION_FLOAT, WRAP_COMPUTE, "450", 0);
+            kernel_free(k);
+            fclose(file);
+        }
+    snprintf(path, sizeof path, "%s/count.awk", folder);
+    file = fopen(path, "w");
+    if (!file) return why_set(&reason, "cannot write %s", path);
+    fputs(count_instructions, file);
+    return fclose(file) ? why_set(&reason, "cannot write %s", path) : 0;
+}
+
+static void print_cost(FILE *page, int f, int bands) {
+    char path[128], *text;
+    kernel *k = families[f].describe(bands);
+    kernel_count_uses(k);
+    snprintf(path, sizeof path, "%s/%d-%d.comp.count", folder, f, bands);
+    text = read_text(path);
+    fprintf(page, " %s; %d |", text ? text : "?", kernel_live_values(k));
+    free(text);
+    kernel_free(k);
+}
+
+static int write_costs(const char *path) {
+    FILE *page;
+    int f, bands;
+    snprintf(folder, sizeof folder, "/tmp/prt-shaders-XXXXXX");
+    if (!mkdtemp(folder)) return why_set(&reason, "cannot make a folder in /tmp");
+    if (write_cost_sources() ||
+        shell("cd %s && ls *.comp | xargs -P2 -I@ sh -c 'glslangValidator -V -S comp -o @.spv @ >@.log && "
+              "spirv-opt --ssa-rewrite --eliminate-local-multi-store --eliminate-dead-code-aggressive @.spv -o @.opt && "
+              "spirv-dis --no-color @.opt | awk -f count.awk >@.count || exit 255'", folder)) return -1;
+    page = fopen(path, "w");
+    if (!page) return why_set(&reason, "cannot write %s", path);
+    fprintf(page,
+        "<!-- Written by test_shaders --cost: do not edit. -->\n# What a call of a generated kernel costs\n\n"
+        "Instructions of SPIR-V in the kernel's function by itself (GLSL 450 by glslangValidator, brought into SSA form by\n"
+        "spirv-opt): arithmetic + loads and stores; those of arrays vanish where a compiler inlines the function and keeps the\n"
+        "arrays in registers, as their indices are constants. After the semicolon: the most values that live at a time besides\n"
+        "those arrays, in the order of the text, as an estimate of registers. –: does not exist at these bands.\n\n"
+        "| kernel | 2 bands | 3 bands | 4 bands | 5 bands | 6 bands |\n|---|---|---|---|---|---|\n");
+    for (f = 0; f < family_count; f++) {
+        if (!(families[f].forms & FORM_TEXT)) continue;
+        fprintf(page, "| %s |", families[f].name);
+        for (bands = COST_FROM; bands <= COST_TO; bands++) {
+            if (families[f].max_bands == 0) { if (bands == COST_FROM) print_cost(page, f, bands); else fprintf(page, " same |"); }
+            else if (bands < families[f].min_bands || bands > families[f].max_bands) fprintf(page, " – |");
+            else print_cost(page, f, bands);
+        }
+        fprintf(page, "\n");
+    }
+    if (fclose(page)) return why_set(&reason, "cannot write %s", path);
+    return shell("rm -r %s", folder);
+}
+
 int main(int argc, char **argv) {
-    const char *page = NULL;
+    const char *page = NULL, *costs = NULL;
     int i;
     for (i = 1; i + 1 < argc; i++) {
         if (!strcmp(argv[i], "--naga")) naga_modules = argv[i + 1];
         if (!strcmp(argv[i], "--only")) only = argv[i + 1];
         if (!strcmp(argv[i], "--bands")) all_bands = !strcmp(argv[i + 1], "all");
         if (!strcmp(argv[i], "--markdown")) page = argv[i + 1];
+        if (!strcmp(argv[i], "--cost")) costs = argv[i + 1];
     }
     for (i = 1; i < argc; i++) {
         const target *t = find_target(argv[i]);
@@ -785,6 +871,7 @@ int main(int argc, char **argv) {
             printf("not ok %d - %s\n", passed + ++failed, t->name);
         }
     }
+    if (costs && write_costs(costs)) { fprintf(stderr, "test_shaders: %s\n", reason.line); failed++; }
     if (page && write_page(page)) { fprintf(stderr, "test_shaders: %s\n", reason.line); failed++; }
     if (have_opengl) osmesa_context_destroy(&opengl);
     if (have_vulkan) vulkan_destroy();
