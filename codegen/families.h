@@ -11,6 +11,7 @@
     X(sh_at, sh_at, 1, 10, FORM_ONE | FORM_TEXT) \
     X(ch_eval, ch_eval, 1, 10, FORM_ONE | FORM_SWEPT | FORM_TEXT) \
     X(ch_at, ch_at, 1, 10, FORM_ONE | FORM_TEXT) \
+    X(sh_add_sample, sh_add_sample, 1, 10, FORM_TEXT) \
     X(sh_delta, sh_delta, 1, 10, FORM_TEXT) \
     X(sh_cone, sh_cone, 1, 10, FORM_TEXT) \
     X(sh_sphere, sh_sphere, 1, 10, FORM_TEXT) \

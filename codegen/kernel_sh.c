@@ -147,5 +147,18 @@ void sh_values(kernel *k, int bands, node x, node y, node z, node *values) {
     }
 }
 
+/* prt.h adds in place; a shader, whose arrays are values, gets the sum: for projecting an environment sample by sample */
+kernel *describe_sh_add_sample(int bands) {
+    kernel *k = named_kernel("sh_add_sample", "f + value Y(dir)", bands);
+    vec dir = vec_param(k, "dir");
+    node value = real_param(k, "value"), y[64 * 64], f[64 * 64];
+    int i;
+    input_nodes(k, "f", bands * bands, f);
+    sh_values(k, bands, dir.x, dir.y, dir.z, y);
+    for (i = 0; i < bands * bands; i++) f[i] = k_madd(k, value, y[i], f[i]);
+    output_nodes(k, "out", bands * bands, f);
+    return k;
+}
+
 kernel *describe_sh_eval(int bands) { return describe_eval(&sh, bands); }
 kernel *describe_sh_at(int bands) { return describe_at(&sh, bands); }

@@ -96,6 +96,35 @@ float prt_ch_at(float f[16], vec3 dir) {
     return (t6 + t10) + t13;
 }
 
+// f + value Y(dir), 4 bands: 41 multiplications, 27 additions (19 can fuse), 16 loads, 16 stores
+void prt_sh_add_sample(vec3 dir, float value, float f[16], out float result[16]) {
+    result[0] = f[0] + 0.282094792 * value;
+    result[1] = f[1] + value * (0.488602512 * dir.y);
+    result[2] = f[2] + value * (0.488602512 * dir.z);
+    result[3] = f[3] + value * (0.488602512 * dir.x);
+    float t1 = dir.x * dir.y;
+    float t2 = t1 + t1;
+    result[4] = f[4] + value * (0.546274215 * t2);
+    float t3 = 1.09254843 * dir.z;
+    result[5] = f[5] + value * (dir.y * t3);
+    float t4 = dir.z * dir.z;
+    result[6] = f[6] + value * (0.946174696 * t4 - 0.315391565);
+    result[7] = f[7] + value * (dir.x * t3);
+    float t5 = (dir.x + dir.y) * (dir.x - dir.y);
+    result[8] = f[8] + value * (0.546274215 * t5);
+    float t6 = dir.y * dir.y;
+    float t7 = t5 + t6;
+    result[9] = f[9] + value * (0.59004359 * (dir.y * (t5 + (t7 + t7))));
+    float t8 = 1.44530572 * dir.z;
+    result[10] = f[10] + value * (t2 * t8);
+    float t9 = 2.285229 * t4 - 0.457045799;
+    result[11] = f[11] + value * (dir.y * t9);
+    result[12] = f[12] + value * (dir.z * (1.86588166 * t4 - 1.119529));
+    result[13] = f[13] + value * (dir.x * t9);
+    result[14] = f[14] + value * (t5 * t8);
+    result[15] = f[15] + value * (0.59004359 * (dir.x * (t5 - (t6 + t6))));
+}
+
 // directional light of irradiance 1, 4 bands: 25 multiplications, 11 additions (3 can fuse), 16 stores
 void prt_sh_delta(vec3 dir, out float f[16]) {
     f[0] = 0.282094792;

@@ -183,6 +183,7 @@ static void vo_sent(const double *in, double *out) {
     X(ch_eval, 0, prt_ch_eval(n, vec3_of(in), out)) \
     X(sh_at, 0, *out = prt_sh_at(n, in, vec3_of(in + n * n))) \
     X(ch_at, 0, *out = prt_ch_at(n, in, vec3_of(in + n * n))) \
+    X(sh_add_sample, 0, memcpy(out, in + 4, sizeof *out * (size_t)(n * n)); prt_sh_add_sample(n, vec3_of(in), in[3], out)) \
     X(sh_delta, 0, prt_sh_delta(n, vec3_of(in), out)) \
     X(sh_cone, 1e-10, prt_sh_cone(n, vec3_of(in), fmin(in[3], PRT__PI), out)) \
     X(sh_sphere, 0, prt_sh_sphere(n, vec3_of(in), in[3], out)) \
