@@ -31,6 +31,9 @@ for precision in float half; do
         done
         "$codegen" --lang hlsl --emit all --bands $bands --precision $precision -o "$folder/p.hlsl" || exit 1
         echo "[numthreads(1, 1, 1)] void main() {}" >>"$folder/p.hlsl"
+        if command -v glslc >/dev/null; then
+            check "HLSL by glslc, $precision, $bands bands" glslc -x hlsl -fshader-stage=comp -o "$folder/p.spv" "$folder/p.hlsl"
+        fi
         check "HLSL, $precision, $bands bands" glslangValidator -D -V -S comp -e main -o "$folder/p.spv" "$folder/p.hlsl"
     done
 done
@@ -55,6 +58,11 @@ refused "unknown precision"      --lang c --precision double --emit sh_eval
 refused "too many bands"         --lang glsl --bands 11 --emit sh_eval
 refused "no bands"               --lang glsl --bands 0 --emit sh_eval
 refused "words for bands"        --lang glsl --bands many --emit sh_eval
+refused "a range upside down"    --lang glsl --bands 4-2 --emit sh_eval
+refused "all of too many bands"  --lang glsl --bands 40 --emit all
+refused "a kernel twice"         --lang glsl --emit sh_eval,sh_at,sh_eval
+refused "an empty list"          --lang glsl --emit ,
+refused "a prefix of digits"     --lang glsl --prefix 9lives_ --emit sh_eval
 refused "nothing to print"       --lang glsl
 refused "unknown option"         --lung glsl
 refused "option without value"   --emit
