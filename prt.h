@@ -448,7 +448,7 @@ PRTDEF prt_result prt_sh_rotate_by  (int bands, const prt_real *blocks, const pr
    coefficient i of vector k at [i*stride + k], stride >= count. Cost: prt_sh_rotation_count multiply-adds a vector
    (three times that for _n_rgb), done in SIMD across vectors; _soa, which transposes nothing, does 0.65 to 0.8 of the
    multiply-adds that the machine can. At 4 bands arrays beyond the caches are turned at 0.7 of the rate of memcpy and
-   more, SSE2 at 0.4 (_n_rgb), 0.5 (_soa) and 0.7 (_n): prt_bench, jobs rotate_by_n and rotate_stream. */
+   more, SSE2 at 0.4 (_n_rgb), 0.6 (_soa) and 0.7 (_n): docs/rotation.md. */
 PRTDEF prt_result prt_sh_rotate_by_n(int bands, const prt_real *blocks, int count, const prt_real *f, prt_real *out);
 PRTDEF prt_result prt_sh_rotate_by_n_rgb(int bands, const prt_real *blocks, int count, const prt_real *f,
                                          prt_real *out);
@@ -600,9 +600,10 @@ PRTDEF double prt_ch_norm(int l, int m);
    prt_sh_eval, prt_sh_eval_n and prt_sh_eval_soa in shapes, errors, cost and determinism. Straight-line kernels to 10
    bands with the same operation counts as SH's; above, the recurrence
      C(l) = a z C(l-1) - c C(l-2),   a = a_SH sqrt(H(l-1,m)/H(l,m)),   c = a(l) a(l-1) (l+m-2)(l-1-m) / (4(l-2)(l-1)),
-   from C(m,m) = Y(m,m), with a and c from tables to 64 bands; beyond, O(l) for each. Time: SH's within 5 %, above 10
-   bands 0.7 to 0.85 of it, since SH makes its factors from roots (bench job ch_eval). Absolute error float/double, with
-   that of the direction's length: 1.7e-6/4e-15 to 10 bands, 3.3e-6/6e-15 to 14, 1.7e-5/4e-14 to 33, 8e-5/2e-13 to 64
+   from C(m,m) = Y(m,m), with a and c from tables to 64 bands; beyond, O(l) for each. Time: SH's within 5 % to 10 bands.
+   Above, one direction at a time takes 0.75 to 0.82 of SH's time, since SH makes its factors from roots; _soa the same
+   as SH with SSE2, and up to 1.15 of it with AVX-512, which waits for the table (bench jobs ch_eval, ch_eval_soa).
+   Absolute error float/double, with that of the direction's length: 1.7e-6/4e-15 to 10 bands, 3.3e-6/6e-15 to 14, 1.7e-5/4e-14 to 33, 8e-5/2e-13 to 64
    (tests/test_ch.c). */
 PRTDEF prt_result prt_ch_eval    (int bands, prt_vec3 dir, prt_real *c);
 PRTDEF prt_result prt_ch_eval_n  (int bands, int count, const prt_vec3 *dirs, prt_real *c);

@@ -79,13 +79,15 @@ EACH (dering,       "dering",   "prt_sh_dering",        LOW, 16,    prt_sh_derin
 /* >>ch: the same recurrence with other factors */
 EACH (ch_eval,      "ch_eval",  "prt_ch_eval",          ALL, ITEMS, prt_ch_eval(n, DIR(k), OUT), EVAL_FLOPS, 3, n * n)
 BATCH(ch_eval_n,    "ch_eval_n", "prt_ch_eval_n",       LOW, ITEMS, prt_ch_eval_n(n, items, DIRS, OUT), EVAL_FLOPS, 3, n * n)
-BATCH(ch_eval_soa,  "ch_eval_soa", "prt_ch_eval_soa",   LOW, ITEMS, prt_ch_eval_soa(n, items, X, Y, Z, OUT, (size_t)items), EVAL_FLOPS, 3, n * n)
+BATCH(ch_eval_soa,  "ch_eval_soa", "prt_ch_eval_soa",   "1-10,12,16", ITEMS, prt_ch_eval_soa(n, items, X, Y, Z, OUT, (size_t)items), EVAL_FLOPS, 3, n * n)
 EACH (ch_sh_eval,   "ch_eval",  "prt_sh_eval, to compare", ALL, ITEMS, prt_sh_eval(n, DIR(k), OUT), EVAL_FLOPS, 3, n * n)
 BATCH(ch_sh_eval_n, "ch_eval_n", "prt_sh_eval_n, to compare", LOW, ITEMS, prt_sh_eval_n(n, items, DIRS, OUT), EVAL_FLOPS, 3, n * n)
-BATCH(ch_sh_soa,    "ch_eval_soa", "prt_sh_eval_soa, to compare", LOW, ITEMS, prt_sh_eval_soa(n, items, X, Y, Z, OUT, (size_t)items), EVAL_FLOPS, 3, n * n)
+BATCH(ch_sh_soa,    "ch_eval_soa", "prt_sh_eval_soa, to compare", "1-10,12,16", ITEMS, prt_sh_eval_soa(n, items, X, Y, Z, OUT, (size_t)items), EVAL_FLOPS, 3, n * n)
 EACH (ch_at,        "ch_at",    "prt_ch_at",            LOW, ITEMS, OUT[0] = prt_ch_at(n, F, DIR(k)), EVAL_FLOPS + 2.0 * n * n, 3 + n * n, 1)
 EACH (ch_from_sh,   "ch_from_sh", "prt_ch_from_sh",     LOW, 64,    prt_ch_from_sh(n, F, OUT), 0, n * n, n * n)
 EACH (sh_from_ch,   "sh_from_ch", "prt_sh_from_ch",     LOW, 64,    prt_sh_from_ch(n, F, OUT), 0, n * n, n * n)
+EACH (ch_rotate,    "ch_rotate", "prt_ch_rotate",       LOW, 16,    prt_ch_rotate(n, ROTATION, F, OUT), 0, n * n + 9, n * n)
+EACH (ch_product,   "ch_product", "prt_ch_product",     LOW, 16,    prt_ch_product(n, F, G, OUT), 0, 2 * n * n, n * n)
 EACH (ch_dot,       "ch_dot",   "prt_ch_dot",           LOW, 64,    OUT[0] = prt_ch_dot(n, F, G), 0, 2 * n * n, 1)
 
 /* >>shade */

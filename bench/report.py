@@ -57,6 +57,8 @@ TITLES = {
     "ch_at": "Reconstruct from cpherical coefficients (`prt_ch_at`)",
     "ch_from_sh": "Spherical to cpherical coefficients (`prt_ch_from_sh`)",
     "sh_from_ch": "Cpherical to spherical coefficients (`prt_sh_from_ch`)",
+    "ch_rotate": "Rotate a cpherical function (`prt_ch_rotate`)",
+    "ch_product": "Multiply two cpherical functions (`prt_ch_product`)",
     "ch_dot": "Integrate a product of cpherical functions (`prt_ch_dot`)",
     "diffuse_n": "Shade from transfer, three colours (`prt_shade_diffuse_n`)",
 }

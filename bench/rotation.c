@@ -1,30 +1,130 @@
-/* rotation - how far the rotation blocks are from orthogonal, band by band: the recursion as published and prt.h's.
+/* rotation - measures rotation and cpherical harmonics, and writes docs/rotation.md:
+     how far rotation blocks are from orthogonal, band by band: the recursion as published and prt.h's;
+     error against time of every way to rotate a vector, and of every way to evaluate CH;
+     how far a thousand turns by 2 pi/1000 miss, and what of that the rounding of the matrix alone does;
+     the rate at which many vectors are turned, over that of memcpy.
 
-     rotation [--csv FILE]
+     rotation [--csv FILE] [--points FILE] [-o FILE]
 
-   Prints a few rows; --csv writes all of them for rotation_error.gp. Takes some seconds. */
+   Prints a few rows; --csv writes the blocks for rotation_error.gp, --points the errors and times for rotation_pareto.gp,
+   -o the page. Takes half a minute. */
+#include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "bench.h"
+#define PUBLISHED_REAL long double
+#define PUBLISHED_ROOT(v) sqrtl(v)
+#include "published_rotation.h"
 #include "rotation_forms.h"
 
-int main(int argc, char **argv) {
+/* ---- what is right: in long double, by the published recursion and by the definition of CH ---- */
+
+enum { LARGEST = ROTATION_LARGEST, NODES = 48 };
+
+static void turned(int bands, const double *r, const double *f, double *want) {
+    static const int axis[3] = { 1, 2, 0 };
+    static long double block[2][(2 * LARGEST - 1) * (2 * LARGEST - 1)];
+    long double block1[9];
+    int l, i, j;
+    for (i = 0; i < 3; i++)
+        for (j = 0; j < 3; j++) block1[3 * i + j] = (long double)r[3 * axis[i] + axis[j]];
+    want[0] = f[0];
+    memcpy(block[1], block1, sizeof block1);
+    for (l = 1; l < bands; l++) {
+        if (l > 1) published_block(l, block1, block[(l - 1) & 1], block[l & 1]);
+        for (i = 0; i <= 2 * l; i++) {
+            long double sum = 0;
+            for (j = 0; j <= 2 * l; j++) sum += block[l & 1][i * (2 * l + 1) + j] * (long double)f[l * l + j];
+            want[l * l + i] = (double)sum;
+        }
+    }
+}
+
+/* t[m][l] = d^m T_l / dz^m */
+static void chebyshev(long double z, long double t[LARGEST][LARGEST]) {
+    int l, m;
+    for (m = 0; m < LARGEST; m++)
+        for (l = 0; l < LARGEST; l++)
+            if (l < m) t[m][l] = 0;
+            else if (l < 2) t[m][l] = m == l ? 1 : z;
+            else t[m][l] = 2 * z * t[m][l - 1] - t[m][l - 2] + (m ? 2 * m * t[m - 1][l - 1] : 0);
+    t[0][0] = 1;
+}
+
+/* One node of the Gauss-Legendre rule, by Newton's method. */
+static long double node(int i, long double *weight) {
+    long double z = cosl(acosl(-1) * (i + 0.75L) / (NODES + 0.5L)), slope = 1;
+    int step, k;
+    for (step = 0; step < 12; step++) {
+        long double p = 1, before = 0;
+        for (k = 1; k <= NODES; k++) {
+            long double next = ((2 * k - 1) * z * p - (k - 1) * before) / k;
+            before = p;
+            p = next;
+        }
+        slope = NODES * (before - z * p) / (1 - z * z);
+        z -= p / slope;
+    }
+    *weight = 2 / ((1 - z * z) * slope * slope);
+    return z;
+}
+
+/* The factor that makes C(l,m) of unit norm, by quadrature. */
+static long double ch_factor(int l, int m) {
+    static long double integral[LARGEST][LARGEST], t[LARGEST][LARGEST];
+    if (integral[0][0] == 0) {
+        int i, a, b;
+        for (i = 0; i < NODES; i++) {
+            long double weight, z = node(i, &weight);
+            chebyshev(z, t);
+            for (b = 0; b < LARGEST; b++)
+                for (a = b; a < LARGEST; a++) integral[b][a] += weight * powl(1 - z * z, b) * t[b][a] * t[b][a];
+        }
+    }
+    return sqrtl(1 / (integral[m][l] * acosl(-1) * (m ? 1 : 2)));
+}
+
+static void ch_basis(int bands, const double *d, const double *f, double *want) {
+    static long double t[LARGEST][LARGEST];
+    long double re = 1, im = 0, x = (long double)d[0], y = (long double)d[1];
+    int l, m;
+    (void)f;
+    chebyshev((long double)d[2], t);
+    for (m = 0; m < bands; m++) {
+        long double next = re * x - im * y;
+        for (l = m; l < bands; l++) {
+            long double c = ch_factor(l, m) * t[m][l];
+            want[l * (l + 1) - m] = (double)(c * im);
+            want[l * (l + 1) + m] = (double)(c * re);
+        }
+        im = im * x + re * y;
+        re = next;
+    }
+}
+
+/* ---- output ---- */
+
+static FILE *open_output(const char *path) {
+    FILE *f = fopen(path, "w");
+    if (!f) {
+        fprintf(stderr, "rotation: cannot write '%s': check the folder and its permissions\n", path);
+        exit(1);
+    }
+    return f;
+}
+
+static int close_output(FILE *f, const char *path) {
+    if (!f || !fclose(f)) return 0;
+    fprintf(stderr, "rotation: cannot finish '%s': is the disk full?\n", path);
+    return 1;
+}
+
+static int print_blocks(FILE *csv) {
     static double error[4][ROTATION_BANDS];
-    FILE *csv = NULL;
     int l;
-    if (argc != 1 && !(argc == 3 && !strcmp(argv[1], "--csv"))) {
-        fprintf(stderr, "rotation: unknown arguments: give none, or --csv FILE\n");
-        return 1;
-    }
-    if (argc == 3 && !(csv = fopen(argv[2], "w"))) {
-        fprintf(stderr, "rotation: cannot write '%s': check the folder and its permissions\n", argv[2]);
-        return 1;
-    }
-    if (!rotation_float(error[0], error[1]) || !rotation_double(error[2], error[3])) {
-        fprintf(stderr, "rotation: out of memory: 128 bands need 70 MB\n");
-        return 1;
-    }
+    if (!rotation_blocks_float(error[0], error[1]) || !rotation_blocks_double(error[2], error[3])) return 0;
     printf("largest |M M^T - 1| over %d rotations\n", ROTATION_TRIALS);
     printf("%4s %20s %20s %20s %20s\n", "l", "published, float", "prt.h, float", "published, double", "prt.h, double");
     if (csv) fprintf(csv, "# machine: %s\n# compiler: %s %s\nl,published_float,prt_float,published_double,prt_double\n",
@@ -34,9 +134,105 @@ int main(int argc, char **argv) {
             printf("%4d %20.2g %20.2g %20.2g %20.2g\n", l, error[0][l], error[1][l], error[2][l], error[3][l]);
         if (csv) fprintf(csv, "%d,%.3g,%.3g,%.3g,%.3g\n", l, error[0][l], error[1][l], error[2][l], error[3][l]);
     }
-    if (csv && fclose(csv)) {
-        fprintf(stderr, "rotation: cannot finish '%s': is the disk full?\n", argv[2]);
+    return 1;
+}
+
+static void page_head(FILE *page) {
+    fprintf(page, "# Rotation and cpherical harmonics, measured\n\n"
+                  "<!-- Written by bench/rotation: do not edit. `make -C build docs-rotation` measures and writes anew. -->\n\n"
+                  "- machine: %s\n- compiler: %s %s; `portable` without -march=native\n", bench_cpu_name(), BENCH_COMPILER,
+            BENCH_FLAGS);
+}
+
+static void print_points(FILE *csv, FILE *page) {
+    static rotation_point points[3][ROTATION_POINTS];
+    static const char *const build[3] = { "float", "double", "portable" };
+    int count[3], i, k;
+    count[0] = rotation_points_float(turned, ch_basis, points[0]);
+    count[1] = rotation_points_double(turned, ch_basis, points[1]);
+    count[2] = rotation_points_portable(turned, ch_basis, points[2]);
+    if (csv) fprintf(csv, "# machine: %s\n# compiler: %s %s\nwhat,form,build,bands,ns,error\n", bench_cpu_name(),
+                     BENCH_COMPILER, BENCH_FLAGS);
+    for (k = 0; k < 3 && csv; k++)
+        for (i = 0; i < count[k]; i++)
+            fprintf(csv, "%s,%s,%s,%d,%.4g,%.3g\n", points[k][i].what, points[k][i].form, build[k],
+                    points[k][i].bands, points[k][i].ns, points[k][i].error);
+    if (!page) return;
+    fprintf(page, "\n## Error against time\n\nLargest error of a coefficient against long double, for input as it was rounded, and the least time of "
+                  "15 runs, for one vector or direction. |f_i| <= 1. Each line runs through 2, 3, 4, 5, 6, 8, 10, 16 and 32 bands.\n\n"
+                  "![Rotation: error against time](plots/rotation_pareto.svg)\n\n"
+                  "![Cpherical harmonics: error against time](plots/ch_pareto.svg)\n\n"
+                  "| | bands | float, ns | portable, ns | double, ns | float, error | double, error |\n"
+                  "|---|--:|--:|--:|--:|--:|--:|\n");
+    for (i = 0; i < count[0]; i++)
+        fprintf(page, "| %s%s | %d | %.4g | %.4g | %.4g | %.1e | %.1e |\n", points[0][i].what[0] == 'c' ? "CH, " : "",
+                points[0][i].form, points[0][i].bands, points[0][i].ns, points[2][i].ns, points[1][i].ns, points[0][i].error,
+                points[1][i].error);
+}
+
+static void print_turns(FILE *page) {
+    static const struct { const char *name; double x, y, z; } axes[] = {
+        { "x", 1, 0, 0 }, { "y", 0, 1, 0 }, { "z", 0, 0, 1 }, { "(3,0,4)/5", 0.6, 0, 0.8 },
+        { "(9,12,20)/25", 0.36, 0.48, 0.8 }, { "(1,1,1)", 0.57735026918962576, 0.57735026918962576, 0.57735026918962576 }
+    };
+    size_t a;
+    printf("\n1000 turns by 2 pi/1000 at 6 bands, float: largest distance from the start\n%14s %10s %10s %22s %22s\n", "axis",
+           "one shot", "blocks", "input alone, one shot", "input alone, blocks");
+    if (page) fprintf(page, "\n## A thousand turns\n\n1000 turns by 2π/1000 in float at 6 bands, one after the other, |f_i| <= 1: largest "
+                            "distance from the start. \"Input alone\": the same chain in double with the matrix rounded to "
+                            "float. One shot takes an angle out of the matrix and so forgives lengths; blocks use it as it is.\n\n"
+                            "| axis | one shot | built blocks | input alone, one shot | input alone, blocks |\n|---|--:|--:|--:|--:|\n");
+    for (a = 0; a < sizeof axes / sizeof *axes; a++) {
+        double t = acos(-1.0) / 500, c = cos(t), s = sin(t), u = 1 - c, x = axes[a].x, y = axes[a].y, z = axes[a].z;
+        double r[9] = { c + u * x * x, u * x * y - s * z, u * x * z + s * y, u * x * y + s * z, c + u * y * y,
+                        u * y * z - s * x, u * x * z - s * y, u * y * z + s * x, c + u * z * z }, e[4];
+        int i;
+        rotation_turns_float(r, &e[0], &e[1]);
+        for (i = 0; i < 9; i++) r[i] = (double)(float)r[i];
+        rotation_turns_double(r, &e[2], &e[3]);
+        printf("%14s %10.1e %10.1e %22.1e %22.1e\n", axes[a].name, e[0], e[1], e[2], e[3]);
+        if (page) fprintf(page, "| %s | %.1e | %.1e | %.1e | %.1e |\n", axes[a].name, e[0], e[1], e[2], e[3]);
+    }
+}
+
+static void print_streams(FILE *page) {
+    double native[3], portable[3];
+    if (!rotation_stream_float(native) || !rotation_stream_portable(portable)) {
+        fprintf(stderr, "rotation: the rates of memory are left out: they need 400 MB\n");
+        return;
+    }
+    printf("\n4 bands, 200 MB, of memcpy's rate: native _n %.2f, _n_rgb %.2f, _soa %.2f; portable %.2f, %.2f, %.2f\n", native[0],
+           native[1], native[2], portable[0], portable[1], portable[2]);
+    if (page) fprintf(page, "\n## At the speed of memory\n\nBuilt blocks of 4 bands applied to 200 MB of vectors, float: the rate over that of "
+                            "memcpy in the same run.\n\n| | `prt_sh_rotate_by_n` | `_n_rgb` | `_soa` |\n|---|--:|--:|--:|\n"
+                            "| native | %.2f | %.2f | %.2f |\n| portable | %.2f | %.2f | %.2f |\n", native[0], native[1], native[2],
+                      portable[0], portable[1], portable[2]);
+}
+
+int main(int argc, char **argv) {
+    const char *csv_path = NULL, *points_path = NULL, *page_path = NULL;
+    FILE *csv = NULL, *points = NULL, *page = NULL;
+    int i;
+    for (i = 1; i + 1 < argc; i += 2) {
+        if (!strcmp(argv[i], "--csv")) csv_path = argv[i + 1];
+        else if (!strcmp(argv[i], "--points")) points_path = argv[i + 1];
+        else if (!strcmp(argv[i], "-o")) page_path = argv[i + 1];
+        else break;
+    }
+    if (i < argc) {
+        fprintf(stderr, "rotation: unknown argument '%s': rotation [--csv FILE] [--points FILE] [-o FILE]\n", argv[i]);
         return 1;
     }
-    return 0;
+    if (csv_path) csv = open_output(csv_path);
+    if (points_path) points = open_output(points_path);
+    if (page_path) page = open_output(page_path);
+    if (page) page_head(page);
+    if (!print_blocks(csv)) {
+        fprintf(stderr, "rotation: out of memory: 128 bands need 70 MB\n");
+        return 1;
+    }
+    print_turns(page);
+    print_streams(page);
+    if (points || page) print_points(points, page);
+    return close_output(csv, csv_path) | close_output(points, points_path) | close_output(page, page_path);
 }

@@ -1,23 +1,40 @@
-/* rotation_forms.c - the two recursions at the precision of prt_real, named by ROTATION_FORM. */
+/* rotation_forms.c - rotation and CH of prt.h as this object was compiled, named by ROTATION_ID. */
 #define PRT_STATIC
 #define PRT_IMPLEMENTATION
 #include "prt.h"
 
 #include <stdlib.h>
+#include <time.h>
 
+#include "bench.h"
 #include "published_rotation.h"
 #include "rotation_forms.h"
 
+#define JOIN2(a, b) a##b
+#define JOIN(a, b) JOIN2(a, b)
+
 static void keep_larger(double *worst, double error) { if (!(error <= *worst)) *worst = error; }
 
-int ROTATION_FORM(double *published, double *stabilised) {
+static double seconds(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static void turn_number(int trial, prt_real rotation[9]) {
+    prt_real q[4];
+    int i;
+    for (i = 0; i < 4; i++) q[i] = (prt_real)sin(1 + 4 * trial + i);
+    prt_rotation_from_quaternion(q, rotation);
+}
+
+int JOIN(rotation_blocks_, ROTATION_ID)(double *published, double *stabilised) {
     size_t count = prt_sh_rotation_count(ROTATION_BANDS);
     prt_real *ours = (prt_real *)malloc(count * sizeof *ours), *theirs = (prt_real *)malloc(count * sizeof *theirs);
-    int trial, l, i, ok = ours && theirs;
+    int trial, l, ok = ours && theirs;
     for (trial = 0; ok && trial < ROTATION_TRIALS; trial++) {
-        prt_real q[4], rotation[9] = { 0 };
-        for (i = 0; i < 4; i++) q[i] = (prt_real)sin(1 + 4 * trial + i);
-        prt_rotation_from_quaternion(q, rotation);
+        prt_real rotation[9] = { 0 };
+        turn_number(trial, rotation);
         prt_sh_rotation(ROTATION_BANDS, rotation, ours);
         memcpy(theirs, ours, prt_sh_rotation_count(2) * sizeof *ours);
         for (l = 0; l < ROTATION_BANDS; l++) {
@@ -29,5 +46,151 @@ int ROTATION_FORM(double *published, double *stabilised) {
     }
     free(ours);
     free(theirs);
+    return ok;
+}
+
+/* ---- error against time ---- */
+
+enum { LARGEST = ROTATION_LARGEST, MOST = LARGEST * LARGEST, ITEMS = 64 };
+typedef struct work {
+    prt_real rotation[9], blocks[LARGEST * (4 * MOST - 1) / 3], f[ITEMS * MOST], out[ITEMS * MOST];
+    prt_real x[ITEMS], y[ITEMS], z[ITEMS];
+    prt_vec3 dirs[ITEMS];
+} work;
+typedef void way(int bands, work *w);                          /* does it once, or for ITEMS items */
+
+static void one_shot(int n, work *w) { prt_sh_rotate(n, w->rotation, w->f, w->out); }
+static void build_and_apply(int n, work *w) {
+    prt_sh_rotation(n, w->rotation, w->blocks);
+    prt_sh_rotate_by(n, w->blocks, w->f, w->out);
+}
+static void apply(int n, work *w) { prt_sh_rotate_by(n, w->blocks, w->f, w->out); }
+static void apply_n(int n, work *w) { prt_sh_rotate_by_n(n, w->blocks, ITEMS, w->f, w->out); }
+static void apply_soa(int n, work *w) { prt_sh_rotate_by_soa(n, w->blocks, ITEMS, w->f, w->out, ITEMS); }
+static void ch_one(int n, work *w) { prt_ch_eval(n, w->dirs[0], w->out); }
+static void ch_n(int n, work *w) { prt_ch_eval_n(n, ITEMS, w->dirs, w->out); }
+static void ch_soa(int n, work *w) { prt_ch_eval_soa(n, ITEMS, w->x, w->y, w->z, w->out, ITEMS); }
+
+static const struct { const char *what, *name; way *run; int items, rows; } ways[] = {
+    { "rotation", "one shot", one_shot, 1, 0 },
+    { "rotation", "blocks built for one vector", build_and_apply, 1, 0 },
+    { "rotation", "built blocks on one vector", apply, 1, 0 },
+    { "rotation", "built blocks on many vectors", apply_n, ITEMS, 0 },
+    { "rotation", "built blocks on rows", apply_soa, ITEMS, 1 },
+    { "ch", "one direction", ch_one, 1, 0 },
+    { "ch", "many directions", ch_n, ITEMS, 0 },
+    { "ch", "rows", ch_soa, ITEMS, 1 }
+};
+enum { WAYS = (int)(sizeof ways / sizeof ways[0]) };
+
+static void prepare(int bands, int trial, work *w) {
+    int i;
+    turn_number(trial, w->rotation);
+    prt_sh_rotation(bands, w->rotation, w->blocks);
+    for (i = 0; i < ITEMS * bands * bands; i++) w->f[i] = (prt_real)sin(1.0 + i + 0.37 * i * (trial + 1));
+    for (i = 0; i < ITEMS; i++) {
+        double z = 1 - 2 * (i + 0.5) / ITEMS, r = sqrt(1 - z * z), phi = 2.4 * i + trial;
+        w->dirs[i] = prt__vec3((prt_real)(r * cos(phi)), (prt_real)(r * sin(phi)), (prt_real)z);
+        w->x[i] = w->dirs[i].x;
+        w->y[i] = w->dirs[i].y;
+        w->z[i] = w->dirs[i].z;
+    }
+}
+
+/* Largest error of one item; its coefficients stand ITEMS apart in rows. */
+static double item_error(int k, int bands, int item, rotation_truth *truth, const work *w) {
+    static double in[MOST], want[MOST];
+    double r[9], worst = 0;
+    int i, n = bands * bands;
+    for (i = 0; i < n; i++) in[i] = (double)w->f[ways[k].rows ? i * ITEMS + item : item * n + i];
+    for (i = 0; i < 9; i++) r[i] = (double)w->rotation[i];
+    if (ways[k].what[0] == 'c') { r[0] = (double)w->x[item]; r[1] = (double)w->y[item]; r[2] = (double)w->z[item]; }
+    truth(bands, r, in, want);
+    for (i = 0; i < n; i++)
+        keep_larger(&worst, fabs((double)w->out[ways[k].rows ? i * ITEMS + item : item * n + i] - want[i]));
+    return worst;
+}
+
+static double time_of(int k, int bands, work *w) {
+    double best = HUGE_VAL;
+    int round, i, repeats = 1 + 200000 / (bands * bands * bands * ways[k].items + 200);
+    for (round = 0; round < 15; round++) {
+        double start = seconds(), t;
+        for (i = 0; i < repeats; i++) { ways[k].run(bands, w); BENCH_KEEP(w->out); }
+        t = (seconds() - start) * 1e9 / repeats / ways[k].items;
+        if (t < best) best = t;
+    }
+    return best;
+}
+
+int JOIN(rotation_points_, ROTATION_ID)(rotation_truth *turned, rotation_truth *ch, rotation_point *points) {
+    static const int all_bands[] = { 2, 3, 4, 5, 6, 8, 10, 16, LARGEST };
+    static work w;
+    int k, trial, item, count = 0;
+    size_t b;
+    for (k = 0; k < WAYS; k++)
+        for (b = 0; b < sizeof all_bands / sizeof *all_bands; b++) {
+            rotation_point p;
+            p.what = ways[k].what;
+            p.form = ways[k].name;
+            p.bands = all_bands[b];
+            p.error = 0;
+            for (trial = 0; trial < ROTATION_TRIALS; trial++) {
+                prepare(p.bands, trial, &w);
+                ways[k].run(p.bands, &w);
+                for (item = 0; item < ways[k].items; item += 5)
+                    keep_larger(&p.error, item_error(k, p.bands, item, p.what[0] == 'c' ? ch : turned, &w));
+            }
+            p.ns = time_of(k, p.bands, &w);
+            if (count < ROTATION_POINTS) points[count++] = p;
+        }
+    return count;
+}
+
+/* ---- a thousand turns, and memory ---- */
+
+void JOIN(rotation_turns_, ROTATION_ID)(const double *r, double *by_one_shot, double *by_blocks) {
+    enum { BANDS = 6, N = BANDS * BANDS };
+    prt_real rotation[9], blocks[BANDS * (4 * N - 1) / 3], f[N], g[N], h[N];
+    int i, k, trial;
+    for (i = 0; i < 9; i++) rotation[i] = (prt_real)r[i];
+    prt_sh_rotation(BANDS, rotation, blocks);
+    *by_one_shot = *by_blocks = 0;
+    for (trial = 0; trial < ROTATION_TRIALS; trial++) {
+        for (i = 0; i < N; i++) f[i] = g[i] = h[i] = (prt_real)sin(1 + i + 50 * trial);
+        for (k = 0; k < 1000; k++) {
+            prt_sh_rotate(BANDS, rotation, g, g);
+            prt_sh_rotate_by(BANDS, blocks, h, h);
+        }
+        for (i = 0; i < N; i++) {
+            keep_larger(by_one_shot, fabs((double)g[i] - (double)f[i]));
+            keep_larger(by_blocks, fabs((double)h[i] - (double)f[i]));
+        }
+    }
+}
+
+int JOIN(rotation_stream_, ROTATION_ID)(double rate[3]) {
+    enum { COUNT = 3 << 20, BANDS = 4, N = 16 };
+    size_t bytes = (size_t)COUNT * N * sizeof(prt_real), i;
+    prt_real *f = (prt_real *)malloc(bytes), *out = (prt_real *)malloc(bytes), rotation[9], blocks[84];
+    double best[4] = { HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL };
+    int round, form, ok = f && out;
+    turn_number(0, rotation);
+    prt_sh_rotation(BANDS, rotation, blocks);
+    for (i = 0; ok && i < (size_t)COUNT * N; i++) { f[i] = (prt_real)(i % 977); out[i] = 0; }
+    for (round = 0; ok && round < 5; round++)
+        for (form = 0; form < 4; form++) {
+            double start = seconds(), t;
+            if (form == 0) memcpy(out, f, bytes);
+            if (form == 1) prt_sh_rotate_by_n(BANDS, blocks, COUNT, f, out);
+            if (form == 2) prt_sh_rotate_by_n_rgb(BANDS, blocks, COUNT / 3, f, out);
+            if (form == 3) prt_sh_rotate_by_soa(BANDS, blocks, COUNT, f, out, COUNT);
+            BENCH_KEEP(out);
+            t = seconds() - start;
+            if (t < best[form]) best[form] = t;
+        }
+    for (form = 0; form < 3; form++) rate[form] = best[0] / best[form + 1];
+    free(f);
+    free(out);
     return ok;
 }
