@@ -13,6 +13,7 @@ help:
 	@echo "make bench      time and error of every candidate, as tables and CSV"
 	@echo "make gen        rewrite the generated blocks of the headers (gen-check: only compare)"
 	@echo "make fuzz       run each fuzz target for FUZZ_SECONDS=$(FUZZ_SECONDS)"
+	@echo "make claims     measure what docs/claims.md promises, and compare"
 	@echo "make docs       rewrite the tables and plots of docs/ and README.md from measurements"
 	@echo "make portability  run both headers on other kinds of machine, emulated; writes docs/portability.md"
 	@echo "make install    copy headers and CMake package to PREFIX=$(PREFIX)"
@@ -48,10 +49,10 @@ bench:
 	@$(without_tests)
 	@cmake --build $(BUILD)/tools -j$(JOBS) --target bench
 
-docs:
-	@./deps.sh bench
+docs claims:
+	@./deps.sh demo bench
 	@$(without_tests)
-	@cmake --build $(BUILD)/tools -j$(JOBS) --target docs
+	@cmake --build $(BUILD)/tools -j$(JOBS) --target $@
 
 gen gen-check:
 	@$(without_tests)

@@ -1,8 +1,8 @@
 /* demo: the Stanford bunny under three environments, lit from transfer of 3, 5 and 8 bands, beside ray-traced truth.
 
-   Writes DIR/demo.png, a contact sheet with one row an environment, and DIR/demo.csv with its figures. Columns: 8 bands
-   without shadows; 3, 5 and 8 bands with shadows; direct light by Monte Carlo ray tracing from the same camera,
-   thousands of shadow rays a pixel. What each number means:
+   Writes DIR/demo.png and .jpg, a contact sheet with one row an environment, and DIR/demo.csv with its figures.
+   Columns: 8 bands without shadows; 3, 5 and 8 bands with shadows; direct light by Monte Carlo ray tracing from the same
+   camera, thousands of shadow rays a pixel. What each number means:
 
      RMSE    root mean square error of linear radiance against the reference, all colours, over the pixels that bunny
              and pedestal cover whole (the table adds it for the bunny's alone), divided by the mean of the reference
@@ -40,6 +40,7 @@
 #include "reference.h"
 #include "refined_bake.h"
 #include "relighter.h"
+#include "replacement.h"
 #include "text.h"
 
 enum {
@@ -330,17 +331,19 @@ static int make_sheet(const demo *d, sheet *s, why *w) {
     return 0;
 }
 
+/* As PNG, and as JPEG for documents. */
 static int save_sheet(const demo *d, why *w) {
-    char path[1024];
+    char png[1024], jpg[1024];
     sheet s;
     int failed;
     memset(&s, 0, sizeof s);
-    snprintf(path, sizeof path, "%s/demo.png", d->out);
-    failed = make_sheet(d, &s, w) || canvas_write_png(&s.c, path, w);
+    snprintf(png, sizeof png, "%s/demo.png", d->out);
+    snprintf(jpg, sizeof jpg, "%s/demo.jpg", d->out);
+    failed = make_sheet(d, &s, w) || canvas_write_png(&s.c, png, w) || canvas_write_jpg(&s.c, jpg, w);
     canvas_free(&s.c);
     text_font_free(&s.regular);
     text_font_free(&s.bold);
-    if (!failed) printf("%s\n", path);
+    if (!failed) printf("%s\n%s\n", png, jpg);
     return failed ? -1 : 0;
 }
 
@@ -394,9 +397,11 @@ static void demo_free(demo *d) {
 }
 
 static int run(demo *d, why *w) {
+    char sheet_path[1024];
     if (mkdir(d->out, 0777) && errno != EEXIST)
         return why_set(w, "%s: cannot be made a directory: %s", d->out, strerror(errno));
-    return load_scene(d, w) || bake_all(d, w) || draw_all(d, w) || trace_all(d, w) || measure(d, w) ||
+    snprintf(sheet_path, sizeof sheet_path, "%s/demo.png", d->out);
+    return replacement_possible(sheet_path, 4u << 20, w) || load_scene(d, w) || bake_all(d, w) || draw_all(d, w) || trace_all(d, w) || measure(d, w) ||
            (interrupted ? why_set(w, "interrupted") : 0) || report(d, w) || save_sheet(d, w) ? -1 : 0;
 }
 
