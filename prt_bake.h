@@ -2546,7 +2546,7 @@ PRTDEF prt_result prt_vo_split(const prt_mesh *mesh, int group_count, prt_real f
     prt__split s;
     size_t used = PRT__LINE, size;
     unsigned char *memory;
-    prt_point unused;
+    prt_point unused = { { 0, 0, 0 }, { 0, 0, 1 } };
     prt_result r;
     int round, face, most;
     if (!mesh) return PRT_ERR_NULL;
