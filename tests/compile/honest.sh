@@ -43,7 +43,7 @@ check_empty "nothing is left to do in the text" "$(grep -nwE "$marks" "${text[@]
 check_empty "no conflict marks" "$(grep -nE '^(<<<<<<<|>>>>>>>)( |$)' "${text[@]}" | head)"
 
 # ---- generated text ----
-if [ -n "$codegen" ]; then check "prt.h and shaders/ hold what the generator prints" "$codegen" --check prt.h shaders/*
+if [ -n "$codegen" ]; then check "prt.h and shaders/ hold what the generator prints" "$codegen" --check prt.h shaders/* examples/common/relighter.c
 else skip "prt.h and shaders/ hold what the generator prints" "the generator was not built"; fi
 check_empty "README.md: the cost table is filled in" "$(
     awk '/<!-- BEGIN TABLE cost -->/ { inside = 1; next } /<!-- END TABLE cost -->/ { inside = 0 } inside && /^\|/ { rows++ }
