@@ -139,7 +139,7 @@ static void every_choice_of_edges_is_cut(void **state) {
     (void)state;
     for (choice = 0; choice < 8; choice++) {
         int cuts = (choice & 1) + (choice >> 1 & 1) + (choice >> 2), i;
-        uint32_t *ends;
+        uint32_t *ends = NULL;
         mesh m;
         why w;
         first_coordinate = 0;

@@ -47,7 +47,7 @@ static int refine(refined_bake *r, unsigned char **bends, why *w) {
     int old = r->m->point_count, bands = r->job.desc.bands, k;
     size_t row = (size_t)PRT_SH_COUNT(bands);
     unsigned char *next;
-    uint32_t *ends;
+    uint32_t *ends = NULL;
     if (mesh_cut_edges(r->m, *bends ? touches_a_bend : NULL, *bends, &ends, w)) return -1;
     next = (unsigned char *)calloc((size_t)r->m->point_count, 1);
     if (!next || bake_level(r, w)) {
