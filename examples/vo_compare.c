@@ -3,9 +3,9 @@
 
    Writes DIR/vo.md with its pictures in DIR/gallery and its plots in DIR/plots. What each number means:
 
-     RMSE    root mean square error of linear radiance over the pixels that the scene covers whole, all colours, divided by
-             the mean of the reference there; negative radiance counts as 0. The reference comes in two independent halves
-             R0, R1; the mean of (P-R0)(P-R1) is free of their noise.
+     RMSE    root mean square error of linear radiance over the pixels that the scene covers whole, all colours,
+             divided by the mean of the reference there; negative radiance counts as 0. The reference comes in two
+             independent halves R0, R1; the mean of (P-R0)(P-R1) is free of their noise.
      SSIM    structural similarity of luminance as the screen shows it, see common/similarity.h.
      noise   standard error of the reference picture, in the unit of RMSE.
      time    of the processor: bakes on all cores together, shading on one, the least of several runs taken in turns.
@@ -78,8 +78,9 @@ static void ask(stage *s) {
         q->part = s->seen.hits[k].object;
         if (q->part < 0) continue;
         at = scene_place(&s->shining, &s->seen.hits[k]);
-        q->position = rgb_mean(s->shining.parts[q->part].material.transmissive) > 0 ? scene_place_flat(&s->shining, &s->seen.hits[k])
-                                                                                    : at.position;
+        q->position = rgb_mean(s->shining.parts[q->part].material.transmissive) > 0
+                          ? scene_place_flat(&s->shining, &s->seen.hits[k])
+                          : at.position;
         q->normal = at.normal;
         q->towards = s->seen.rays[k].dir;
     }
@@ -114,7 +115,8 @@ static int set_up(const study *d, stage *s, const char *name, camera eye, int wi
     s->pixel_queries = (path_query *)calloc((size_t)samples * (size_t)samples, sizeof *s->pixel_queries);
     s->vertex_queries = (path_query *)calloc((size_t)s->shining.mesh.point_count, sizeof *s->vertex_queries);
     if (!s->pixel_queries || !s->vertex_queries) return why_set(w, "out of memory");
-    if (scene_trace_with(&s->shining, &s->tracer, w) || view_create(&s->shining, &s->tracer, eye, samples, samples, &s->seen, w))
+    if (scene_trace_with(&s->shining, &s->tracer, w) ||
+        view_create(&s->shining, &s->tracer, eye, samples, samples, &s->seen, w))
         return -1;
     ask(s);
     light_from_around(&s->rigs[AROUND]);
@@ -142,14 +144,19 @@ static void stage_free(stage *s) {
 static int make_directory(const char *parent, const char *name, why *w) {
     char path[1024];
     snprintf(path, sizeof path, "%s%s%s", parent, *name ? "/" : "", name);
-    return mkdir(path, 0777) && errno != EEXIST ? why_set(w, "%s: cannot be made a directory: %s", path, strerror(errno)) : 0;
+    return mkdir(path, 0777) && errno != EEXIST
+               ? why_set(w, "%s: cannot be made a directory: %s", path, strerror(errno))
+               : 0;
 }
 
 static int prepare(study *d, why *w) {
-    camera eye = camera_orbit(vec(0, 0, 0.35), 7.0, -1.25, 0.55, 0.55), low = camera_orbit(vec(0.2, 0, 0.2), 6.2, -1.25, 0.7, 0.5);
+    camera eye = camera_orbit(vec(0, 0, 0.35), 7.0, -1.25, 0.55, 0.55),
+           low = camera_orbit(vec(0.2, 0, 0.2), 6.2, -1.25, 0.7, 0.5);
     camera at_statue = camera_orbit(vec(0, 0, 0.5), 6.6, -1.3, 0.35, 0.5);
-    if (make_directory(d->o.out, "", w) || make_directory(d->o.out, "gallery", w) || make_directory(d->o.out, "plots", w) ||
-        make_directory(d->o.keep, "", w) || image_load_environment(d->o.environment, &d->sky, w)) return -1;
+    if (make_directory(d->o.out, "", w) || make_directory(d->o.out, "gallery", w) ||
+        make_directory(d->o.out, "plots", w) || make_directory(d->o.keep, "", w) ||
+        image_load_environment(d->o.environment, &d->sky, w))
+        return -1;
     if (scene_shapes(d->o.fineness, &d->shapes.shining, w) || scene_ball(d->o.fineness, &d->ball.shining, w) ||
         scene_glass(d->o.fineness, &d->glass.shining, w) ||
         scene_statue(d->o.mesh, d->o.up, 34, &d->statue.shining, w)) return -1;
@@ -163,8 +170,9 @@ static int run(study *d, why *w) {
     compare_ch(d);
     for (matte = 1; matte >= 0; matte--)
         if (measure(d, &d->shapes, matte, AROUND, w) || measure(d, &d->shapes, matte, SKY, w)) return -1;
-    if (measure(d, &d->statue, 1, SKY, w) || study_laws(d, w) || study_ball(d, w) || study_glass(d, w) || study_splits(d, w) ||
-        study_lights(d, w)) return -1;
+    if (measure(d, &d->statue, 1, SKY, w) || study_laws(d, w) || study_ball(d, w) || study_glass(d, w) ||
+        study_splits(d, w) || study_lights(d, w))
+        return -1;
     return write_pictures(d, w) || write_plots(d, w) || write_page(d, w) ? -1 : 0;
 }
 
@@ -195,10 +203,14 @@ static int parse(int count, char **words, options *o, why *w) {
         else if (strcmp(word, "--threads") == 0) o->threads = atoi(value);
         else break;
     }
-    if (i < count || strlen(o->up) != 2 || !strchr("+-", o->up[0]) || !strchr("xyz", o->up[1]) || o->rays < 1 || o->rays > 1000000 || o->size < 16 || o->size > 2048 || o->paths < 1 || o->paths > 65536 ||
-        o->directions < 1 || o->directions > 4096 || !(o->fineness >= 0.1 && o->fineness <= 10) || o->threads < 1 || o->threads > 256)
-        return why_set(w, "usage: vo_compare [--out DIR] [--keep DIR] [--mesh FILE] [--up +x|-x|...|-z] [--environment FILE.hdr] [--rays N] [--size 16...2048] "
-                          "[--paths N] [--directions N] [--fineness 0.1...10] [--threads N]");
+    if (i < count || strlen(o->up) != 2 || !strchr("+-", o->up[0]) || !strchr("xyz", o->up[1]) || o->rays < 1 ||
+        o->rays > 1000000 || o->size < 16 || o->size > 2048 || o->paths < 1 || o->paths > 65536 || o->directions < 1 ||
+        o->directions > 4096 || !(o->fineness >= 0.1 && o->fineness <= 10) || o->threads < 1 || o->threads > 256)
+        return why_set(
+            w,
+            "usage: vo_compare [--out DIR] [--keep DIR] [--mesh FILE] [--up +x|-x|...|-z] [--environment FILE.hdr] "
+            "[--rays N] [--size 16...2048] "
+            "[--paths N] [--directions N] [--fineness 0.1...10] [--threads N]");
     return 0;
 }
 

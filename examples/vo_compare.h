@@ -48,7 +48,8 @@ typedef struct stage {                 /* one scene with everything about it */
 
 enum { LIGHT_SIZES = 4, STRENGTHS = 8, CAPS = 6, LAWS = 4, SKY_COUNTS = 8, SKY_TRUTH = PATH_LIGHTS };
 static const double light_sizes[LIGHT_SIZES] = { 0, 5, 15, 30 };       /* radii, degrees */
-static const double strengths[STRENGTHS] = { 0.5, 1, 1.5, 2, 3, 4, 5.5, 8 }, cap_angles[CAPS] = { 1, 5, 10, 20, 30, 45 };
+static const double strengths[STRENGTHS] = { 0.5, 1, 1.5, 2, 3, 4, 5.5, 8 },
+                    cap_angles[CAPS] = { 1, 5, 10, 20, 30, 45 };
 static const int sky_counts[SKY_COUNTS] = { 1, 2, 4, 8, 16, 32, 64, SKY_TRUTH };
 
 typedef struct law_study {
@@ -75,7 +76,8 @@ typedef struct study {
     double    ball_noise, glass_noise;
     double    ch_differs;              /* CH with its Gram matrix against SH, relative */
     double    loop_seconds, batch_seconds;
-    double    packed_seconds, packed_differs, diffuse_seconds, packed_diffuse_seconds, packed_diffuse_differs;   /* 8 lights */
+    double    packed_seconds, packed_differs;              /* 8 lights, as the next line */
+    double    diffuse_seconds, packed_diffuse_seconds, packed_diffuse_differs;
 } study;
 
 static const prt_rgb background = { (prt_real)0.03, (prt_real)0.03, (prt_real)0.035 };
@@ -93,8 +95,8 @@ int  few_rays(const study *d);
 /* vo_compare_measure.c */
 
 /* Light at the queries, to new arrays out[half]; kept in a file, and taken up from it. */
-int  trace_some(const study *d, const stage *s, int matte, const rig *lights, const char *where, int count,
-                const path_query *queries, int samples, int photons, prt_rgb *out[PATH_HALVES], double *seconds, why *w);
+int trace_some(const study *d, const stage *s, int matte, const rig *lights, const char *where, int count,
+               const path_query *queries, int samples, int photons, prt_rgb *out[PATH_HALVES], double *seconds, why *w);
 int  paint_truth(const stage *s, const truth *t, int set, int half, picture *to, why *w);
 /* The mean of both halves. */
 int  paint_reference(const stage *s, int matte, int which, int set, picture *to, why *w);

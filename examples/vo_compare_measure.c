@@ -25,8 +25,10 @@ int trace_some(const study *d, const stage *s, int matte, const rig *lights, con
         out[half] = (prt_rgb *)malloc((size_t)count * (size_t)lights->group_count * sizeof(prt_rgb));
         if (!out[half]) return why_set(w, "out of memory for the reference");
     }
-    snprintf(path, sizeof path, "%s/vo-%s-%s-%s-%s.paths", d->o.keep, s->name, matte ? "matte" : "shining", lights->name, where);
-    snprintf(what, sizeof what, "reference: %s, %s, lights %s, %s", s->name, matte ? "matte" : "shining", lights->name, where);
+    snprintf(path, sizeof path, "%s/vo-%s-%s-%s-%s.paths", d->o.keep, s->name, matte ? "matte" : "shining",
+             lights->name, where);
+    snprintf(what, sizeof what, "reference: %s, %s, lights %s, %s", s->name, matte ? "matte" : "shining", lights->name,
+             where);
     memset(&r, 0, sizeof r);
     r.scene = matte ? &s->matte : &s->shining;
     r.tracer = &s->tracer.tracer;
@@ -48,7 +50,8 @@ int trace_some(const study *d, const stage *s, int matte, const rig *lights, con
     r.out[1] = out[1];
     if (path_reference_resume(&r, path, w)) return -1;
     *seconds += processor_seconds() - before;
-    return r.done == count ? 0 : why_set(w, "interrupted; the reference so far is kept in %s, start again to go on", path);
+    return r.done == count ? 0
+                           : why_set(w, "interrupted; the reference so far is kept in %s, start again to go on", path);
 }
 
 static int trace_truth(const study *d, stage *s, int matte, int which, why *w) {
@@ -56,8 +59,10 @@ static int trace_truth(const study *d, stage *s, int matte, int which, why *w) {
     t->lights = &s->rigs[which];
     return trace_some(d, s, matte, t->lights, "pixels", s->seen.width * s->seen.height, s->pixel_queries, d->o.paths, 0,
                       t->pixels, &t->seconds, w) ||
-           trace_some(d, s, matte, t->lights, "vertices", s->shining.mesh.point_count, s->vertex_queries, 4 * d->o.paths,
-                      0, t->vertices, &t->seconds, w) ? -1 : 0;
+                   trace_some(d, s, matte, t->lights, "vertices", s->shining.mesh.point_count, s->vertex_queries,
+                              4 * d->o.paths, 0, t->vertices, &t->seconds, w)
+               ? -1
+               : 0;
 }
 
 /* One half of a set: the sum of its groups. */
@@ -106,7 +111,8 @@ static void merge(picture *a, const picture *b) {
 int paint_reference(const stage *s, int matte, int which, int set, picture *to, why *w) {
     picture other;
     memset(&other, 0, sizeof other);
-    if (paint_truth(s, &s->truths[matte][which], set, 0, to, w) || paint_truth(s, &s->truths[matte][which], set, 1, &other, w))
+    if (paint_truth(s, &s->truths[matte][which], set, 0, to, w) ||
+        paint_truth(s, &s->truths[matte][which], set, 1, &other, w))
         return -1;
     merge(to, &other);
     picture_free(&other);
@@ -146,8 +152,10 @@ static int measure_set(stage *s, int matte, int which, int set, why *w) {
     memset(r, 0, sizeof r);
     memset(v, 0, sizeof v);
     memset(&mean, 0, sizeof mean);
-    if (paint_truth(s, t, set, 0, &r[0], w) || paint_truth(s, t, set, 1, &r[1], w) || paint_truth(s, t, set, 0, &mean, w) ||
-        paint_vertices(s, t, set, 0, &v[0], w) || paint_vertices(s, t, set, 1, &v[1], w)) return -1;
+    if (paint_truth(s, t, set, 0, &r[0], w) || paint_truth(s, t, set, 1, &r[1], w) ||
+        paint_truth(s, t, set, 0, &mean, w) || paint_vertices(s, t, set, 0, &v[0], w) ||
+        paint_vertices(s, t, set, 1, &v[1], w))
+        return -1;
     merge(&mean, &r[1]);
     s->noise[matte][which][set] = 0.5 * reference_error(&r[0], &r[0], &r[1], &r[1], SAMPLES_A_PIXEL, whole);
     s->at_vertices[matte][which][set].rmse = reference_error(&v[0], &v[1], &r[0], &r[1], SAMPLES_A_PIXEL, whole);
@@ -204,22 +212,23 @@ static void shade_one_by_one(const shading *s, prt_rgb *out) {
     const techniques *t = s->t;
     int k;
     for (k = 0; k < t->scene->mesh.point_count; k++)
-        prt_vo_shade(&s->params, &t->points[k], s->eye, t->first[k + 1] - t->first[k], t->occluders + t->first[k], s->light_count, s->lights,
-                     &out[k]);
+        prt_vo_shade(&s->params, &t->points[k], s->eye, t->first[k + 1] - t->first[k], t->occluders + t->first[k],
+                     s->light_count, s->lights, &out[k]);
 }
 static void shade_batch(const shading *s, prt_rgb *out) {
     const techniques *t = s->t;
-    prt_vo_shade_n(&s->params, t->scene->mesh.point_count, t->points, s->eye, t->first, t->occluders, s->light_count, s->lights, out);
+    prt_vo_shade_n(&s->params, t->scene->mesh.point_count, t->points, s->eye, t->first, t->occluders, s->light_count,
+                   s->lights, out);
 }
 static void shade_packed(const shading *s, prt_rgb *out) {
     const techniques *t = s->t;
-    prt_vo_shade_packed_n(&s->params, s->unit, t->scene->mesh.point_count, t->points, s->eye, t->first, s->packed, s->light_count, s->lights,
-                          out);
+    prt_vo_shade_packed_n(&s->params, s->unit, t->scene->mesh.point_count, t->points, s->eye, t->first, s->packed,
+                          s->light_count, s->lights, out);
 }
 static void shade_packed_diffuse(const shading *s, prt_rgb *out) {
     const techniques *t = s->t;
-    prt_vo_shade_packed_diffuse_n(&s->params, s->unit, t->scene->mesh.point_count, t->points, s->eye, t->first, s->packed_diffuse,
-                                  s->light_count, s->lights, out);
+    prt_vo_shade_packed_diffuse_n(&s->params, s->unit, t->scene->mesh.point_count, t->points, s->eye, t->first,
+                                  s->packed_diffuse, s->light_count, s->lights, out);
 }
 
 static double least_time(const shading *s, shading_way way, prt_rgb *out) {
@@ -239,7 +248,8 @@ static double difference(int count, const prt_rgb *a, const prt_rgb *b) {
     double square = 0, all = 0;
     int k;
     for (k = 0; k < count; k++) {
-        square += pow((double)(a[k].r - b[k].r), 2) + pow((double)(a[k].g - b[k].g), 2) + pow((double)(a[k].b - b[k].b), 2);
+        square += pow((double)(a[k].r - b[k].r), 2) + pow((double)(a[k].g - b[k].g), 2) +
+                  pow((double)(a[k].b - b[k].b), 2);
         all += pow((double)b[k].r, 2) + pow((double)b[k].g, 2) + pow((double)b[k].b, 2);
     }
     return sqrt(square / all);
@@ -254,7 +264,8 @@ static int pack(const techniques *t, shading *s, why *w) {
         prt_vec3 at = t->points[k].position;
         count = t->first[k + 1] - t->first[k];
         if (prt_vo_pack(s->unit, at, count, t->occluders + t->first[k], s->packed + t->first[k]) != PRT_OK ||
-            prt_vo_pack_diffuse(s->unit, at, count, t->occluders + t->first[k], s->packed_diffuse + t->first[k]) != PRT_OK)
+            prt_vo_pack_diffuse(s->unit, at, count, t->occluders + t->first[k], s->packed_diffuse + t->first[k]) !=
+                PRT_OK)
             return why_set(w, "the occluders of vertex %d cannot be packed", k);
     }
     return 0;

@@ -22,8 +22,8 @@ void caption(sheet_cell *cell, const score *s) {
 }
 
 /* One row: the reference, then the techniques in order. */
-static int fill_row(const sheet_row *row, int matte, int columns, const technique *order, picture *pictures, sheet_cell *cells,
-                    why *w) {
+static int fill_row(const sheet_row *row, int matte, int columns, const technique *order, picture *pictures,
+                    sheet_cell *cells, why *w) {
     int k;
     if (paint_reference(row->s, matte, row->which, row->set, &pictures[0], w)) return -1;
     cells[0].shown = &pictures[0];
@@ -37,8 +37,8 @@ static int fill_row(const sheet_row *row, int matte, int columns, const techniqu
     return 0;
 }
 
-static int write_sheet(const study *d, const char *file, const char *title, int matte, int rows, const sheet_row *row, int columns,
-                       const technique *order, why *w) {
+static int write_sheet(const study *d, const char *file, const char *title, int matte, int rows, const sheet_row *row,
+                       int columns, const technique *order, why *w) {
     static picture pictures[MOST_ROWS * MOST_COLUMNS];
     static sheet_cell cells[MOST_ROWS * MOST_COLUMNS];
     const char *heads[MOST_COLUMNS], *names[MOST_ROWS];
@@ -65,10 +65,10 @@ static int write_sheet(const study *d, const char *file, const char *title, int 
     s.names = names;
     s.exposures = exposures;
     s.cells = cells;
-    s.foot[0] = "RMSE: of linear radiance over the pixels of the scene, relative to the mean of the path-traced picture. All techniques "
-                "shade vertices.";
-    s.foot[1] = matte ? "CH3 and CH6 use inner products as coefficients, as the thesis does; with its Gram matrix CH gives the pictures of SH."
-                      : NULL;
+    s.foot[0] = "RMSE: of linear radiance over the pixels of the scene, relative to the mean of the path-traced picture. "
+                "All techniques shade vertices.";
+    if (matte) s.foot[1] = "CH3 and CH6 use inner products as coefficients, as the thesis does; with its Gram matrix CH "
+                           "gives the pictures of SH.";
     snprintf(path, sizeof path, "%s/gallery/%s", d->o.out, file);
     if (!failed) failed = contact_sheet_write(&s, path, w);
     for (k = 0; k < rows * columns; k++) picture_free(&pictures[k]);
@@ -77,9 +77,10 @@ static int write_sheet(const study *d, const char *file, const char *title, int 
 }
 
 int write_pictures(study *d, why *w) {
-    static const technique all[] = { TECHNIQUE_VO_DD, TECHNIQUE_VO_DD_CAP, TECHNIQUE_SH6, TECHNIQUE_SH3, TECHNIQUE_CH6, TECHNIQUE_CH3,
-                                     TECHNIQUE_AO, TECHNIQUE_PHONG };
-    static const technique shining[] = { TECHNIQUE_VO, TECHNIQUE_VO_CAP, TECHNIQUE_VO_DD, TECHNIQUE_AO, TECHNIQUE_PHONG };
+    static const technique all[] = { TECHNIQUE_VO_DD, TECHNIQUE_VO_DD_CAP, TECHNIQUE_SH6, TECHNIQUE_SH3,
+                                     TECHNIQUE_CH6,   TECHNIQUE_CH3,       TECHNIQUE_AO,  TECHNIQUE_PHONG };
+    static const technique shining[] = { TECHNIQUE_VO, TECHNIQUE_VO_CAP, TECHNIQUE_VO_DD, TECHNIQUE_AO,
+                                         TECHNIQUE_PHONG };
     sheet_row matte[3], bright[3];
     int k;
     for (k = 0; k < 3; k++) {
@@ -96,8 +97,11 @@ int write_pictures(study *d, why *w) {
     bright[0].name = "shapes\n1 point light";
     bright[1].name = "shapes\n8 point lights";
     bright[2].name = "shapes\nsky as 32 lights";
-    return write_sheet(d, "vo.jpg", "Vector occluders beside other techniques, diffuse scenes", 1, 3, matte, 9, all, w) ||
-           write_sheet(d, "vo-shining.jpg", "Vector occluders, shining scene", 0, 3, bright, 6, shining, w) ? -1 : 0;
+    return write_sheet(d, "vo.jpg", "Vector occluders beside other techniques, diffuse scenes", 1, 3, matte, 9, all,
+                       w) ||
+                   write_sheet(d, "vo-shining.jpg", "Vector occluders, shining scene", 0, 3, bright, 6, shining, w)
+               ? -1
+               : 0;
 }
 
 /* ---- plots ---- */
@@ -115,22 +119,30 @@ static int draw_plot(const study *d, const char *file, const plot *p, why *w) {
     FILE *to = popen("gnuplot 2>/dev/null", "w");
     int k, i;
     if (!to) return why_set(w, "gnuplot cannot be started: install gnuplot-nox");
-    fprintf(to, "set terminal svg size 760,420 background rgb 'white'\nset output '%s/plots/%s'\nset title '%s'\nset xlabel '%s'\n"
-            "set ylabel '%s'\nset grid\nset key outside right\n%s\nplot ", d->o.out, file, p->title, p->across, p->up, p->more);
+    fprintf(
+        to,
+        "set terminal svg size 760,420 background rgb 'white'\nset output '%s/plots/%s'\nset title '%s'\nset xlabel "
+        "'%s'\n"
+        "set ylabel '%s'\nset grid\nset key outside right\n%s\nplot ",
+        d->o.out, file, p->title, p->across, p->up, p->more);
     for (k = 0; k < p->series; k++)
-        fprintf(to, "%s'-' with %s lw 2 title '%s'", k ? ", " : "", p->places > 20 ? "lines" : "linespoints", p->names[k]);
+        fprintf(to, "%s'-' with %s lw 2 title '%s'", k ? ", " : "", p->places > 20 ? "lines" : "linespoints",
+                p->names[k]);
     fprintf(to, "\n");
     for (k = 0; k < p->series; k++) {
         for (i = 0; i < p->places; i++) fprintf(to, "%g %g\n", p->x[i], p->y[k][i]);
         fprintf(to, "e\n");
     }
-    return pclose(to) == 0 ? 0 : why_set(w, "%s/plots/%s: cannot be drawn: gnuplot is missing or failed; install gnuplot-nox", d->o.out, file);
+    return pclose(to) == 0
+               ? 0
+               : why_set(w, "%s/plots/%s: cannot be drawn: gnuplot is missing or failed; install gnuplot-nox", d->o.out,
+                         file);
 }
 
 static int plot_lights(const study *d, why *w) {
     static const technique timed[] = { TECHNIQUE_PHONG, TECHNIQUE_VO_DD, TECHNIQUE_VO, TECHNIQUE_SH3, TECHNIQUE_SH6 };
-    static const technique judged[] = { TECHNIQUE_PHONG, TECHNIQUE_AO, TECHNIQUE_VO_DD, TECHNIQUE_VO_DD_CAP, TECHNIQUE_SH3, TECHNIQUE_SH6,
-                                        TECHNIQUE_CH6 };
+    static const technique judged[] = { TECHNIQUE_PHONG, TECHNIQUE_AO,  TECHNIQUE_VO_DD, TECHNIQUE_VO_DD_CAP,
+                                        TECHNIQUE_SH3,   TECHNIQUE_SH6, TECHNIQUE_CH6 };
     static plot p, q;
     int k, set;
     p.title = "Shading time";
@@ -144,7 +156,8 @@ static int plot_lights(const study *d, why *w) {
     q.series = 8;
     for (set = 0; set < SETS; set++) {
         p.x[set] = q.x[set] = light_counts[set];
-        for (k = 0; k < 5; k++) p.y[k][set] = 1e9 * d->shapes.seconds[timed[k]][set] / d->shapes.shining.mesh.point_count;
+        for (k = 0; k < 5; k++)
+            p.y[k][set] = 1e9 * d->shapes.seconds[timed[k]][set] / d->shapes.shining.mesh.point_count;
         for (k = 0; k < 7; k++) q.y[k][set] = 100 * d->shapes.scores[1][AROUND][judged[k]][set].rmse;
         q.y[7][set] = 100 * d->shapes.at_vertices[1][AROUND][set].rmse;
     }
@@ -154,7 +167,7 @@ static int plot_lights(const study *d, why *w) {
     return draw_plot(d, "vo-decay.svg", &p, w) || draw_plot(d, "vo-error.svg", &q, w) ? -1 : 0;
 }
 
-/* One occluder of form factor 1/4, as figure 7.7: a cap of 30 degrees, the light on its way from its middle outwards. */
+/* One occluder of form factor 1/4, as figure 7.7: a cap of 30 degrees, the light on its way outwards. */
 static int plot_laws(const study *d, why *w) {
     static plot p;
     prt_vo_params laws[3];
@@ -205,7 +218,8 @@ int write_plots(const study *d, why *w) {
 
 /* ---- the page ---- */
 
-/* Numbers that shading reads of each occluder: its vectors in the C structure, of three numbers each, and a form factor. */
+/* Numbers that shading reads of each occluder: its vectors in the C structure, of three numbers each, and a form
+   factor. */
 static int numbers_of(technique how) {
     if (how == TECHNIQUE_VO_DD || how == TECHNIQUE_VO_DD_CAP) return 4 * 3 + 1;
     if (how == TECHNIQUE_VO || how == TECHNIQUE_VO_CAP) return 6 * 3 + 1;
@@ -229,35 +243,52 @@ static const double mebi = 1048576;
 static void bake_times(const techniques *t, technique how, double pass[2]) {
     int six = how == TECHNIQUE_SH6 || how == TECHNIQUE_CH6;
     pass[0] = how == TECHNIQUE_PHONG ? 0 : how >= TECHNIQUE_SH3 ? t->sh_seconds[six][0] : t->ao_seconds;
-    pass[1] = how <= TECHNIQUE_AO ? 0 : how <= TECHNIQUE_VO_DD_CAP ? t->vo_dd_seconds : how < TECHNIQUE_SH3 ? t->vo_seconds
-              : t->sh_seconds[six][1] + (how >= TECHNIQUE_CH3 ? t->ch_seconds[six] : 0);
+    pass[1] = how <= TECHNIQUE_AO          ? 0
+              : how <= TECHNIQUE_VO_DD_CAP ? t->vo_dd_seconds
+              : how < TECHNIQUE_SH3        ? t->vo_seconds
+                                           : t->sh_seconds[six][1] + (how >= TECHNIQUE_CH3 ? t->ch_seconds[six] : 0);
 }
 
 static void write_table_of_costs(const study *d, FILE *to) {
-    static const char *const thesis[TECHNIQUE_COUNT] = { "0, 5500 fps, 0", "58, 5500, 0.019", "58 + 60, 4700, 1.03", "",
-        "58 + 85, 3500, 2.05", "", "60 + 63, 5100, 2.07", "62 + 68, 2500, 8.26", "56 + 61, 5100, 2.07", "60 + 66, 2500, 8.26" };
+    static const char *const thesis[TECHNIQUE_COUNT] = { "0, 5500 fps, 0",      "58, 5500, 0.019",
+                                                         "58 + 60, 4700, 1.03", "",
+                                                         "58 + 85, 3500, 2.05", "",
+                                                         "60 + 63, 5100, 2.07", "62 + 68, 2500, 8.26",
+                                                         "56 + 61, 5100, 2.07", "60 + 66, 2500, 8.26" };
     const stage *s = &d->shapes;
     const double points = s->shining.mesh.point_count;
     int how;
-    fprintf(to, "\n## Table 7.1 again\n\nShapes scene: %d triangles, %d vertices, %d parts, %d rays a vertex in each pass. Bake: processor "
-            "seconds, pass 1 + pass 2.\nShading: processor time a vertex on one core, all terms that the technique has; *a light more* is the "
-            "slope from 1 to 32 lights.\nStorage: what shading reads; a vertex sees %.2f occluders in the mean. RMSE and SSIM: one point light, "
-            "diffuse scene (for DD+DS+SS: shining).\n\n| technique | bake s | ns a vertex, 1 light | 8 lights | a light more | bytes a vertex | "
-            "MiB | RMSE | SSIM | thesis: bake s, frame rate, MB |\n|---|---:|---:|---:|---:|---:|---:|---:|---:|---|\n",
-            s->shining.mesh.triangle_count, s->shining.mesh.point_count, s->shining.part_count, d->o.rays,
-            s->baked.occluder_count / points);
+    fprintf(
+        to,
+        "\n## Table 7.1 again\n\nShapes scene: %d triangles, %d vertices, %d parts, %d rays a vertex in each pass. "
+        "Bake: processor "
+        "seconds, pass 1 + pass 2.\nShading: processor time a vertex on one core, all terms that the technique has; "
+        "*a light more* is the "
+        "slope from 1 to 32 lights.\nStorage: what shading reads; a vertex sees %.2f occluders in the mean. RMSE and "
+        "SSIM: one point light, "
+        "diffuse scene (for DD+DS+SS: shining).\n\n| technique | bake s | ns a vertex, 1 light | 8 lights | a light "
+        "more | bytes a vertex | "
+        "MiB | RMSE | SSIM | thesis: bake s, frame rate, MB |\n|---|---:|---:|---:|---:|---:|---:|---:|---:|---|\n",
+        s->shining.mesh.triangle_count, s->shining.mesh.point_count, s->shining.part_count, d->o.rays,
+        s->baked.occluder_count / points);
     for (how = 0; how < TECHNIQUE_COUNT; how++) {
         const double *seconds = s->seconds[how];
         double pass[2], bytes = bytes_of(d, (technique)how);
         const score *e = &s->scores[takes_part(1, (technique)how)][AROUND][how][0];
         bake_times(&s->baked, (technique)how, pass);
-        fprintf(to, "| %s | %.1f + %.1f | %.1f | %.1f | %.2f | %.1f | %.2f | %.1f %% | %.3f | %s |\n", technique_names[how], pass[0], pass[1],
-                1e9 * seconds[0] / points, 1e9 * seconds[3] / points, 1e9 * (seconds[SETS - 1] - seconds[0]) / points / 31,
-                bytes / points, bytes / mebi, 100 * e->rmse, e->ssim, thesis[how]);
+        fprintf(to, "| %s | %.1f + %.1f | %.1f | %.1f | %.2f | %.1f | %.2f | %.1f %% | %.3f | %s |\n",
+                technique_names[how], pass[0], pass[1], 1e9 * seconds[0] / points, 1e9 * seconds[3] / points,
+                1e9 * (seconds[SETS - 1] - seconds[0]) / points / 31, bytes / points, bytes / mebi, 100 * e->rmse,
+                e->ssim, thesis[how]);
     }
-    fprintf(to, "\nSH and CH carry one bounce in three planes of coefficients, as the thesis' SH/DD. The transfer of CH is that of SH, converted "
-            "(in the time of pass 2).\nWith its Gram matrix CH gives what SH gives: exit radiance at the vertices differs by at most %.1e of its "
-            "root mean square.\n", d->ch_differs);
+    fprintf(
+        to,
+        "\nSH and CH carry one bounce in three planes of coefficients, as the thesis' SH/DD. The transfer of CH is "
+        "that of SH, converted "
+        "(in the time of pass 2).\nWith its Gram matrix CH gives what SH gives: exit radiance at the vertices "
+        "differs by at most %.1e of its "
+        "root mean square.\n",
+        d->ch_differs);
 }
 
 static void write_scores(const stage *s, int matte, int which, FILE *to) {
@@ -273,20 +304,27 @@ static void write_scores(const stage *s, int matte, int which, FILE *to) {
     for (set = 0; set < sets; set++) fprintf(to, " %.2f |", 100 * s->noise[matte][which][set]);
     fprintf(to, "\n| *reference at the vertices* |");
     for (set = 0; set < sets; set++)
-        fprintf(to, " %.1f, %.3f |", 100 * s->at_vertices[matte][which][set].rmse, s->at_vertices[matte][which][set].ssim);
+        fprintf(to, " %.1f, %.3f |", 100 * s->at_vertices[matte][which][set].rmse,
+                s->at_vertices[matte][which][set].ssim);
     for (how = 0; how < TECHNIQUE_COUNT; how++) {
         if (!takes_part(matte, (technique)how)) continue;
         fprintf(to, "\n| %s |", technique_names[how]);
         for (set = 0; set < sets; set++)
-            fprintf(to, " %.1f, %.3f |", 100 * s->scores[matte][which][how][set].rmse, s->scores[matte][which][how][set].ssim);
+            fprintf(to, " %.1f, %.3f |", 100 * s->scores[matte][which][how][set].rmse,
+                    s->scores[matte][which][how][set].ssim);
     }
     fprintf(to, "\n");
 }
 
 static void write_errors(const study *d, FILE *to) {
-    fprintf(to, "\n## Error by number of lights\n\n![RMSE by number of lights](plots/vo-error.svg)\n\nPoint lights around the shapes, at about "
-            "twice the scene's radius. The path-traced picture has all bounces to the sixth, each technique at most one.\n*Reference at the "
-            "vertices* is the truth at the vertices, interpolated: no technique that shades vertices can do better.\n\nDiffuse scene:\n");
+    fprintf(
+        to,
+        "\n## Error by number of lights\n\n![RMSE by number of lights](plots/vo-error.svg)\n\nPoint lights around "
+        "the shapes, at about "
+        "twice the scene's radius. The path-traced picture has all bounces to the sixth, each technique at most "
+        "one.\n*Reference at the "
+        "vertices* is the truth at the vertices, interpolated: no technique that shades vertices can do "
+        "better.\n\nDiffuse scene:\n");
     write_scores(&d->shapes, 1, AROUND, to);
     fprintf(to, "\nShining scene (SH and CH have no transfer matrices here and do not take part):\n");
     write_scores(&d->shapes, 0, AROUND, to);
@@ -303,8 +341,11 @@ static void write_errors(const study *d, FILE *to) {
 static void write_decay(const study *d, FILE *to) {
     const double points = d->shapes.shining.mesh.point_count;
     int how, set;
-    fprintf(to, "\n## Figure 7.21 again: time by number of lights\n\n![Time a vertex by number of lights](plots/vo-decay.svg)\n\nNanoseconds a "
-            "vertex on one core.\n\n| technique |");
+    fprintf(
+        to,
+        "\n## Figure 7.21 again: time by number of lights\n\n![Time a vertex by number of "
+        "lights](plots/vo-decay.svg)\n\nNanoseconds a "
+        "vertex on one core.\n\n| technique |");
     for (set = 0; set < SETS; set++) fprintf(to, " %d |", light_counts[set]);
     fprintf(to, "\n|---|---:|---:|---:|---:|---:|---:|\n");
     for (how = 0; how < TECHNIQUE_COUNT; how++) {
@@ -312,32 +353,44 @@ static void write_decay(const study *d, FILE *to) {
         for (set = 0; set < SETS; set++) fprintf(to, " %.0f |", 1e9 * d->shapes.seconds[how][set] / points);
         fprintf(to, "\n");
     }
-    fprintf(to, "\nOne call of `prt_vo_shade_n` for all vertices against `prt_vo_shade` for each, 8 lights, all terms: %.0f against %.0f ns a "
-            "vertex, **%.2f times as fast** (target: 4).\n", 1e9 * d->batch_seconds / points, 1e9 * d->loop_seconds / points,
-            d->loop_seconds / d->batch_seconds);
+    fprintf(
+        to,
+        "\nOne call of `prt_vo_shade_n` for all vertices against `prt_vo_shade` for each, 8 lights, all terms: %.0f "
+        "against %.0f ns a "
+        "vertex, **%.2f times as fast** (target: 4).\n",
+        1e9 * d->batch_seconds / points, 1e9 * d->loop_seconds / points, d->loop_seconds / d->batch_seconds);
 }
 
 static void write_size(FILE *to, const char *name, double bytes, double each, const char *thesis) {
     const double points = 5013, index = 4;
-    fprintf(to, "| %s | %.0f | %.2f | %.2f | %s |\n", name, bytes, points * (index + each * bytes) / mebi, points * (index + 5 * bytes) / mebi,
-            thesis);
+    fprintf(to, "| %s | %.0f | %.2f | %.2f | %s |\n", name, bytes, points * (index + each * bytes) / mebi,
+            points * (index + 5 * bytes) / mebi, thesis);
 }
 
 static void write_storage(const study *d, FILE *to) {
     const techniques *t = &d->shapes.baked;
     double points = t->scene->mesh.point_count, each = t->occluder_count / points;
-    fprintf(to, "\n## Storage and packing\n\nAt the thesis' 5013 vertices, with an index of 4 bytes each: %.2f occluders a vertex as baked here "
-            "(%d parts, %d occluders dropped), and 5.\nThe structure `prt_vo_occluder` holds all vectors and both form factors; *read* is what "
-            "the technique needs of it.\n\n| | bytes an occluder | MiB at %.2f a vertex | MiB at 5 a vertex | thesis |\n|---|---:|---:|---:|---:|\n",
-            each, t->scene->part_count, t->dropped, each);
+    fprintf(
+        to,
+        "\n## Storage and packing\n\nAt the thesis' 5013 vertices, with an index of 4 bytes each: %.2f occluders a "
+        "vertex as baked here "
+        "(%d parts, %d occluders dropped), and 5.\nThe structure `prt_vo_occluder` holds all vectors and both form "
+        "factors; *read* is what "
+        "the technique needs of it.\n\n| | bytes an occluder | MiB at %.2f a vertex | MiB at 5 a vertex | thesis "
+        "|\n|---|---:|---:|---:|---:|\n",
+        each, t->scene->part_count, t->dropped, each);
     write_size(to, "VO/DD, read", 4.0 * numbers_of(TECHNIQUE_VO_DD), each, "1.03");
     write_size(to, "VO/DD, `prt_vo_packed_diffuse`", sizeof(prt_vo_packed_diffuse), each, "");
     write_size(to, "VO/DD+DS+SS, read", 4.0 * numbers_of(TECHNIQUE_VO), each, "2.05");
     write_size(to, "everything, `prt_vo_occluder`", sizeof(prt_vo_occluder), each, "");
     write_size(to, "everything, `prt_vo_packed`", sizeof(prt_vo_packed), each, "");
-    fprintf(to, "\nShading from packed occluders, 8 lights, all vertices: %.0f ns a vertex and a difference of %.2f %% (all terms; unpacked %.0f ns), "
-            "%.0f ns and %.2f %% (VO/DD; %.0f ns).\n", 1e9 * d->packed_seconds / points, 100 * d->packed_differs, 1e9 * d->batch_seconds / points,
-            1e9 * d->packed_diffuse_seconds / points, 100 * d->packed_diffuse_differs, 1e9 * d->diffuse_seconds / points);
+    fprintf(
+        to,
+        "\nShading from packed occluders, 8 lights, all vertices: %.0f ns a vertex and a difference of %.2f %% (all "
+        "terms; unpacked %.0f ns), "
+        "%.0f ns and %.2f %% (VO/DD; %.0f ns).\n",
+        1e9 * d->packed_seconds / points, 100 * d->packed_differs, 1e9 * d->batch_seconds / points,
+        1e9 * d->packed_diffuse_seconds / points, 100 * d->packed_diffuse_differs, 1e9 * d->diffuse_seconds / points);
 }
 
 static void write_law_row(FILE *to, const char *name, const shadow_error *e) {
@@ -350,11 +403,17 @@ static void write_law_row(FILE *to, const char *name, const shadow_error *e) {
 static void write_laws(const study *d, FILE *to) {
     char name[64];
     int k;
-    fprintf(to, "\n## Shadow laws\n\n![What one round occluder lets through](plots/vo-laws.svg)\n\nThe thesis' law is sin(b)^(2 N F), N = 1.5 in its "
-            "figures; `PRT_VO_CAP` takes an occluder for a round cap of its form factor and the light for\na disc. Error of the shadow factor, the "
-            "product over occluders, against traced light: %d directions at each vertex of the shapes, spread by\ncosine; root mean square, and mean "
-            "(positive: too much light). Lights of several angular radii.\n\n| law | point light | 5° | 15° | 30° |\n|---|---:|---:|---:|---:|\n",
-            d->o.directions);
+    fprintf(
+        to,
+        "\n## Shadow laws\n\n![What one round occluder lets through](plots/vo-laws.svg)\n\nThe thesis' law is "
+        "sin(b)^(2 N F), N = 1.5 in its "
+        "figures; `PRT_VO_CAP` takes an occluder for a round cap of its form factor and the light for\na disc. Error "
+        "of the shadow factor, the "
+        "product over occluders, against traced light: %d directions at each vertex of the shapes, spread "
+        "by\ncosine; root mean square, and mean "
+        "(positive: too much light). Lights of several angular radii.\n\n| law | point light | 5° | 15° | 30° "
+        "|\n|---|---:|---:|---:|---:|\n",
+        d->o.directions);
     write_law_row(to, "no shadow", d->laws.none);
     write_law_row(to, "ambient occlusion", d->laws.ao);
     for (k = 0; k < STRENGTHS; k++) {
@@ -365,32 +424,48 @@ static void write_laws(const study *d, FILE *to) {
         snprintf(name, sizeof name, "cap, light of %g°", cap_angles[k]);
         write_law_row(to, name, d->laws.cap[k]);
     }
-    fprintf(to, "\n![A ball under a low light](gallery/vo-laws.jpg)\n\n## Caustics\n\n![Balls of glass](gallery/vo-glass.jpg)\n\nThe reference follows "
-            "photons through the glass (Snell's law, total reflection), and paths of the camera; its noise is %.1f %%. Errors are of what is not "
-            "glass.\nRMSE is ruled by the few places where light is focused, which no technique at the vertices reaches; without caustics it is "
-            "%.0f %%, with them %.0f %%, SSIM %.3f and %.3f.\n", 100 * d->glass_noise, 100 * d->glass_scores[2].rmse, 100 * d->glass_scores[0].rmse,
-            d->glass_scores[2].ssim, d->glass_scores[0].ssim);
+    fprintf(
+        to,
+        "\n![A ball under a low light](gallery/vo-laws.jpg)\n\n## Caustics\n\n![Balls of "
+        "glass](gallery/vo-glass.jpg)\n\nThe reference follows "
+        "photons through the glass (Snell's law, total reflection), and paths of the camera; its noise is %.1f %%. "
+        "Errors are of what is not "
+        "glass.\nRMSE is ruled by the few places where light is focused, which no technique at the vertices reaches; "
+        "without caustics it is "
+        "%.0f %%, with them %.0f %%, SSIM %.3f and %.3f.\n",
+        100 * d->glass_noise, 100 * d->glass_scores[2].rmse, 100 * d->glass_scores[0].rmse, d->glass_scores[2].ssim,
+        d->glass_scores[0].ssim);
 }
 
 static void write_splits(const study *d, FILE *to) {
     const double points = d->shapes.shining.mesh.point_count;
     int k;
-    fprintf(to, "\n## Splitting objects into occluders\n\n![Shadow error by number of occluders](plots/vo-split.svg)\n\n`prt_vo_split` cuts the parts, "
-            "by area, into so many occluders in all; none is dropped. Shadow factors against traced ones of point lights, as above;\nVO/DD with the "
-            "cap law, 8 lights; memory packed (`prt_vo_packed_diffuse`).\n\n| occluders | a vertex sees | bake s | ns a vertex | bytes a vertex | sine, "
-            "N = 1.5 | sine, N = 4 | cap, 5° | cap, 20° |\n|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n");
+    fprintf(
+        to,
+        "\n## Splitting objects into occluders\n\n![Shadow error by number of "
+        "occluders](plots/vo-split.svg)\n\n`prt_vo_split` cuts the parts, "
+        "by area, into so many occluders in all; none is dropped. Shadow factors against traced ones of point "
+        "lights, as above;\nVO/DD with the "
+        "cap law, 8 lights; memory packed (`prt_vo_packed_diffuse`).\n\n| occluders | a vertex sees | bake s | ns a "
+        "vertex | bytes a vertex | sine, "
+        "N = 1.5 | sine, N = 4 | cap, 5° | cap, 20° |\n|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n");
     for (k = 0; k < SPLITS; k++) {
         const split_study *p = &d->splits[k];
-        fprintf(to, "| %d | %.1f | %.1f | %.0f | %.0f | %.3f, %+.3f | %.3f, %+.3f | %.3f, %+.3f | %.3f, %+.3f |\n", p->occluders, p->seen, p->bake_seconds,
-                1e9 * p->seconds / points, 4 + p->seen * (double)sizeof(prt_vo_packed_diffuse), p->sine.rms, p->sine.bias, p->strong.rms, p->strong.bias,
-                p->cap.rms, p->cap.bias, p->wide.rms, p->wide.bias);
+        fprintf(to, "| %d | %.1f | %.1f | %.0f | %.0f | %.3f, %+.3f | %.3f, %+.3f | %.3f, %+.3f | %.3f, %+.3f |\n",
+                p->occluders, p->seen, p->bake_seconds, 1e9 * p->seconds / points,
+                4 + p->seen * (double)sizeof(prt_vo_packed_diffuse), p->sine.rms, p->sine.bias, p->strong.rms,
+                p->strong.bias, p->cap.rms, p->cap.bias, p->wide.rms, p->wide.bias);
     }
 }
 
 static void write_sky(const study *d, FILE *to) {
     int k;
-    fprintf(to, "\n## How many point lights an environment needs\n\nDirect light at the vertices of the shapes, `%s` cut into so many point lights "
-            "(median cut), against %d.\n\n| lights |", strrchr(d->o.environment, '/') ? strrchr(d->o.environment, '/') + 1 : d->o.environment, SKY_TRUTH);
+    fprintf(
+        to,
+        "\n## How many point lights an environment needs\n\nDirect light at the vertices of the shapes, `%s` cut "
+        "into so many point lights "
+        "(median cut), against %d.\n\n| lights |",
+        strrchr(d->o.environment, '/') ? strrchr(d->o.environment, '/') + 1 : d->o.environment, SKY_TRUTH);
     for (k = 0; k < SKY_COUNTS - 1; k++) fprintf(to, " %d |", sky_counts[k]);
     fprintf(to, "\n|---|---:|---:|---:|---:|---:|---:|---:|\n| RMSE %% |");
     for (k = 0; k < SKY_COUNTS - 1; k++) fprintf(to, " %.1f |", 100 * d->sky_errors[k]);
@@ -404,10 +479,15 @@ int write_page(const study *d, why *w) {
     snprintf(path, sizeof path, "%s/vo.md", d->o.out);
     if (replacement_open(path, &r, w)) return -1;
     to = r.file;
-    fprintf(to, "<!-- Written by examples/vo_compare: do not edit. `make vo` measures and writes anew. -->\n# Vector occluders, measured\n\nSection 7.6 "
-            "of Sherif's thesis (2013) run again with `prt_vo_shade_n` and `prt_bake_vo`, beside what else lights vertices from a bake.\nprt.h %s; "
-            "machine: %s; compiler: %s; flags: %s; rays by Embree.\n\n![Contact sheet](gallery/vo.jpg)\n\n![Contact sheet, shining](gallery/vo-shining.jpg)\n",
-            PRT_VERSION, bench_cpu_name(), EXAMPLE_COMPILER, EXAMPLE_FLAGS);
+    fprintf(
+        to,
+        "<!-- Written by examples/vo_compare: do not edit. `make vo` measures and writes anew. -->\n# Vector "
+        "occluders, measured\n\nSection 7.6 "
+        "of Sherif's thesis (2013) run again with `prt_vo_shade_n` and `prt_bake_vo`, beside what else lights "
+        "vertices from a bake.\nprt.h %s; "
+        "machine: %s; compiler: %s; flags: %s; rays by Embree.\n\n![Contact sheet](gallery/vo.jpg)\n\n![Contact "
+        "sheet, shining](gallery/vo-shining.jpg)\n",
+        PRT_VERSION, bench_cpu_name(), EXAMPLE_COMPILER, EXAMPLE_FLAGS);
     write_table_of_costs(d, to);
     write_errors(d, to);
     write_decay(d, to);

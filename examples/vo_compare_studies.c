@@ -57,15 +57,17 @@ static int paint_law(stage *s, const prt_vo_params *law, const prt_point_light *
     int points = s->shining.mesh.point_count, failed;
     prt_rgb *colors = (prt_rgb *)malloc((size_t)points * sizeof *colors);
     if (!colors) return why_set(w, "out of memory for a picture");
-    failed = prt_vo_shade_n(law, points, s->baked.points, s->seen.eye.eye, s->baked.first, s->baked.occluders, 1, light, colors) != PRT_OK ||
+    failed = prt_vo_shade_n(law, points, s->baked.points, s->seen.eye.eye, s->baked.first, s->baked.occluders, 1, light,
+                            colors) != PRT_OK ||
              view_paint(&s->seen, &s->shining, colors, background, to, w);
     free(colors);
     return failed ? why_set(w, "%s cannot be painted", s->name) : 0;
 }
 
 /* A scene under its one light, traced and by each law: one row. */
-static int study_one_light(const study *d, stage *s, int paths, int photons, const prt_vo_params *laws, const char *const *heads,
-                           const char *title, const char *row, const char *file, score *scores, double *noise, why *w) {
+static int study_one_light(const study *d, stage *s, int paths, int photons, const prt_vo_params *laws,
+                           const char *const *heads, const char *title, const char *row, const char *file,
+                           score *scores, double *noise, why *w) {
     picture pictures[LAWS + 1], halves[PATH_HALVES];
     sheet_cell cells[LAWS + 1];
     contact_sheet sheet;
@@ -78,8 +80,8 @@ static int study_one_light(const study *d, stage *s, int paths, int photons, con
     memset(cells, 0, sizeof cells);
     memset(&sheet, 0, sizeof sheet);
     t->lights = &s->rigs[AROUND];
-    failed = trace_some(d, s, 1, t->lights, "pixels", s->seen.width * s->seen.height, s->pixel_queries, paths, photons, t->pixels,
-                        &t->seconds, w) ||
+    failed = trace_some(d, s, 1, t->lights, "pixels", s->seen.width * s->seen.height, s->pixel_queries, paths, photons,
+                        t->pixels, &t->seconds, w) ||
              paint_truth(s, t, 0, 0, &halves[0], w) || paint_truth(s, t, 0, 1, &halves[1], w) ||
              paint_reference(s, 1, AROUND, 0, &pictures[0], w);
     for (k = 0; k < LAWS && !failed; k++) {
@@ -114,8 +116,8 @@ static void light_alone(stage *s, const char *name, prt_vec3 position) {
 }
 
 int study_ball(study *d, why *w) {
-    static const char *const heads[LAWS + 1] = { "traced", "sine law, N = 1.5", "sine law, N = 5.5", "cap law, light of 5°",
-                                                 "cap law, light of 20°" };
+    static const char *const heads[LAWS + 1] = { "traced", "sine law, N = 1.5", "sine law, N = 5.5",
+                                                 "cap law, light of 5°", "cap law, light of 20°" };
     prt_vo_params laws[LAWS];
     int k;
     laws[0] = sine_law(1.5);
@@ -130,15 +132,17 @@ int study_ball(study *d, why *w) {
 
 /* Caustics: errors are of what is not glass itself. */
 int study_glass(study *d, why *w) {
-    static const char *const heads[LAWS + 1] = { "paths and photons", "VO, sine law", "VO, cap law", "VO without caustics", "Phong" };
+    static const char *const heads[LAWS + 1] = { "paths and photons", "VO, sine law", "VO, cap law",
+                                                 "VO without caustics", "Phong" };
     prt_vo_params laws[LAWS];
     int k;
     for (k = 0; k < LAWS; k++) laws[k] = k == 1 ? cap_law(5) : sine_law(1.5);
     laws[2].off = PRT_VO_NO_CAUSTIC;
     laws[3].off = PRT_VO_NO_SHADOW | PRT_VO_NO_CAUSTIC | PRT_VO_NO_DD;
     light_alone(&d->glass, "above", vec(-2.5, 1.5, 4.5));
-    return study_one_light(d, &d->glass, d->o.paths, 2000 * d->o.paths, laws, heads, "Caustics: balls of glass under one light",
-                           "glass\n1 point light", "vo-glass.jpg", d->glass_scores, &d->glass_noise, w);
+    return study_one_light(d, &d->glass, d->o.paths, 2000 * d->o.paths, laws, heads,
+                           "Caustics: balls of glass under one light", "glass\n1 point light", "vo-glass.jpg",
+                           d->glass_scores, &d->glass_noise, w);
 }
 
 /* ---- splitting ---- */
@@ -177,7 +181,8 @@ static int study_split(study *d, int which, why *w) {
         p->bake_seconds = t.vo_seconds;
         for (run = 0; run < RUNS && !failed; run++) {
             double seconds;
-            failed = techniques_shade(&t, TECHNIQUE_VO_DD_CAP, vec(0, 0, 9), vec(0, 0, 0), count, lights, out, &seconds, w);
+            failed = techniques_shade(&t, TECHNIQUE_VO_DD_CAP, vec(0, 0, 9), vec(0, 0, 0), count, lights, out, &seconds,
+                                      w);
             if (run == 0 || seconds < p->seconds) p->seconds = seconds;
         }
     }
@@ -219,8 +224,8 @@ int study_lights(study *d, why *w) {
         r.out[0] = out[k];
         r.out[1] = again;
         r.done = 0;
-        failed = !out[k] || point_lights_from_map(&d->sky, sky_counts[k], 100, lights, w) || path_reference_trace(&r, w) ||
-                 (*d->stop && why_set(w, "interrupted"));
+        failed = !out[k] || point_lights_from_map(&d->sky, sky_counts[k], 100, lights, w) ||
+                 path_reference_trace(&r, w) || (*d->stop && why_set(w, "interrupted"));
     }
     for (k = 0; k < SKY_COUNTS && !failed; k++) {
         double square = 0, sum = 0;

@@ -1,5 +1,6 @@
-/* What examples/vo_compare measures with: light paths in an integrating sphere, structural similarity in closed form, the
-   median cut of maps whose answer is known, the scenes' meshes. Rays are traced by brute force; no library is needed. */
+/* What examples/vo_compare measures with: light paths in an integrating sphere, structural similarity in closed form,
+   the median cut of maps whose answer is known, the scenes' meshes. Rays are traced by brute force; no library is
+   needed. */
 #define _POSIX_C_SOURCE 200809L
 #define PRT_IMPLEMENTATION
 #define PRT_BAKE_IMPLEMENTATION
@@ -20,10 +21,19 @@
 
 /* ---- in the place of libraries ---- */
 
-int raw_mesh_import(const char *path, raw_mesh *m, why *w) { memset(m, 0, sizeof *m); return why_set(w, "%s: not here", path); }
+int raw_mesh_import(const char *path, raw_mesh *m, why *w) {
+    memset(m, 0, sizeof *m);
+    return why_set(w, "%s: not here", path);
+}
 void raw_mesh_free(raw_mesh *m) { (void)m; }
 int embree_tracer_create(embree_tracer *t, why *w) { (void)t; (void)w; return 0; }
-int embree_tracer_add(embree_tracer *t, const mesh *m, int object, why *w) { (void)t; (void)m; (void)object; (void)w; return 0; }
+int embree_tracer_add(embree_tracer *t, const mesh *m, int object, why *w) {
+    (void)t;
+    (void)m;
+    (void)object;
+    (void)w;
+    return 0;
+}
 int embree_tracer_build(embree_tracer *t, why *w) { (void)t; (void)w; return 0; }
 camera_frame camera_make_frame(const camera *c, double aspect) {
     camera_frame f;
@@ -121,8 +131,8 @@ static void trace_sphere(scene *s, int samples, int depth, prt_rgb out[PATH_HALV
     assert_int_equal(r.done, QUERIES);
 }
 
-/* In a sphere of albedo a around its light every place sends a c, and as much again times a with each bounce. The mesh has
-   normals of its vertices; between them its lights fall in at up to 9 degrees: 1 - cos = 0.012 a bounce. */
+/* In a sphere of albedo a around its light every place sends a c, and as much again times a with each bounce. The mesh
+   has normals of its vertices; between them its lights fall in at up to 9 degrees: 1 - cos = 0.012 a bounce. */
 static void integrating_sphere(void **state) {
     prt_rgb out[PATH_HALVES][QUERIES];
     scene s;
@@ -143,9 +153,9 @@ static void integrating_sphere(void **state) {
     scene_free(&s);
 }
 
-/* A place that shines only, seen head on, under light B from all around: (1/pi) int B k (r.w)^n = 2 k B/(n + 1). The walls'
-   own B is k c, times the lobe at the angle between light and eye, 1 for all that is seen from the middle; from elsewhere
-   it is less, which the quadrature below sums up over the sphere. */
+/* A place that shines only, seen head on, under light B from all around: (1/pi) int B k (r.w)^n = 2 k B/(n + 1). The
+   walls' own B is k c, times the lobe at the angle between light and eye, 1 for all that is seen from the middle; from
+   elsewhere it is less, which the quadrature below sums up over the sphere. */
 static void glossy_lobe(void **state) {
     enum { N = 4, STEPS = 2000 };
     const double k = 0.5;
@@ -155,7 +165,7 @@ static void glossy_lobe(void **state) {
     int i;
     (void)state;
     make_sphere(&s, matter(0, 0, 0, k, N));
-    for (i = 0; i < STEPS; i++) {                         /* over the angle a from the normal: the wall is met at the same angle */
+    for (i = 0; i < STEPS; i++) { /* over the angle a from the normal: the wall is met at the same angle */
         double a = 0.5 * pi * (i + 0.5) / STEPS, wall = k * pow(cos(a), N);
         sum += 2 * sin(a) * k * pow(cos(a), N) * wall * (0.5 * pi / STEPS);
     }
@@ -195,7 +205,7 @@ static void photons_keep_the_lights_colour(void **state) {
     tracer.user = &s; tracer.occluded = brute_occluded; tracer.closest = brute_closest;
     light.position = vec(0, 0, 3); light.color = rgb(1, 2, 3);
     assert_int_equal(photon_map_make(&s, &tracer, 1, &light, 4096, 0.3, 1, &map, &w), 0);
-    photon_map_add(&map, vec(0.1, 0, 0), vec(0, 0, 1), NULL, &sum);                /* some 400 photons of the set: 2 % and less */
+    photon_map_add(&map, vec(0.1, 0, 0), vec(0, 0, 1), NULL, &sum); /* some 400 photons of the set: 2 % and less */
     assert_near(sum.r, 0.5, 0.02);
     assert_near(sum.g, 0.5, 0.02);
     assert_near(sum.b, 3.0, 0.12);
@@ -255,7 +265,7 @@ static void similarity_in_closed_form(void **state) {
     assert_near(picture_similarity(&a, &a, 1, 1, 0.5f), 1, 1e-12);
     assert_near(picture_similarity(&a, &b, 1, 1, 0.5f), (2 * va * vb + c1) / (va * va + vb * vb + c1), 1e-6);
     assert_near(picture_similarity(&a, &b, 2, 2, 0.5f), (2 * vb + c1) / (1 + vb * vb + c1), 1e-6);
-    for (k = 0; k < 24 * 24; k++) {                       /* a checkerboard and its negative: only the covariance differs */
+    for (k = 0; k < 24 * 24; k++) { /* a checkerboard and its negative: only the covariance differs */
         float *pa = a.rgba + 4 * k, *pb = b.rgba + 4 * k;
         pa[0] = pa[1] = pa[2] = (k + k / 24) % 2 ? 1.0f : 0.0f;
         pb[0] = pb[1] = pb[2] = 1 - pa[0];
@@ -295,7 +305,9 @@ static void cut_keeps_energy_and_finds_the_sun(void **state) {
         assert_int_equal(point_lights_from_map(&map, n, 10, lights, &w), 0);
         for (k = 0; k < n; k++) {
             double towards = vec_dot(lights[k].position, sun) / 10;
-            sum[0] += (double)lights[k].color.r; sum[1] += (double)lights[k].color.g; sum[2] += (double)lights[k].color.b;
+            sum[0] += (double)lights[k].color.r;
+            sum[1] += (double)lights[k].color.g;
+            sum[2] += (double)lights[k].color.b;
             assert_near(vec_dot(lights[k].position, lights[k].position), 100, BY_PRECISION(1e-4, 1e-10));
             if (towards > nearest) nearest = towards;
         }
@@ -309,8 +321,8 @@ static void cut_keeps_energy_and_finds_the_sun(void **state) {
 
 /* ---- scenes ---- */
 
-/* Every edge inside a sheet borders two triangles that run through it in opposite directions; normals lie on the side from
-   which triangles are counter-clockwise. */
+/* Every edge inside a sheet borders two triangles that run through it in opposite directions; normals lie on the side
+   from which triangles are counter-clockwise. */
 static void shapes_are_well_made(void **state) {
     scene s;
     why w;
@@ -323,7 +335,8 @@ static void shapes_are_well_made(void **state) {
     for (k = 0; k < s.mesh.triangle_count; k++) {
         const uint32_t *t = s.mesh.triangles + 3 * (size_t)k;
         const prt_point *p = s.mesh.points;
-        prt_vec3 face = cross(vec_add(p[t[1]].position, -1, p[t[0]].position), vec_add(p[t[2]].position, -1, p[t[0]].position));
+        prt_vec3 face = cross(vec_add(p[t[1]].position, -1, p[t[0]].position),
+                              vec_add(p[t[2]].position, -1, p[t[0]].position));
         for (c = 0; c < 3; c++) assert_true(vec_dot(face, p[t[c]].normal) > 0);
     }
     assert_int_equal(scene_part_of_point(&s, 0), 0);
@@ -333,11 +346,12 @@ static void shapes_are_well_made(void **state) {
         assert_int_equal(scene_part_of_point(&s, s.parts[k].first_point - 1), k - 1);
     }
     scene_free(&s);
-    for (k = 0; k < 6; k++) {                              /* a turn: the axis goes to +z, lengths and handedness stay */
+    for (k = 0; k < 6; k++) { /* a turn: the axis goes to +z, lengths and handedness stay */
         const char up[3] = { "+-"[k % 2], "xyz"[k / 2], 0 };
         double sign = k % 2 ? -1 : 1;
         prt_vec3 axis = vec(k / 2 == 0 ? sign : 0, k / 2 == 1 ? sign : 0, k / 2 == 2 ? sign : 0);
-        prt_vec3 a = turn_upright(vec(1, 0, 0), up), b = turn_upright(vec(0, 1, 0), up), c3 = turn_upright(vec(0, 0, 1), up);
+        prt_vec3 a = turn_upright(vec(1, 0, 0), up), b = turn_upright(vec(0, 1, 0), up),
+                 c3 = turn_upright(vec(0, 0, 1), up);
         assert_near(turn_upright(axis, up).z, 1, 0);
         assert_near(vec_dot(cross(a, b), c3), 1, 0);
     }

@@ -24,7 +24,8 @@ static void put_name(sheet *s, const char *name, int middle) {
     for (k = 0, at = name; k < lines; k++) {
         size_t length = strcspn(at, "\n");
         snprintf(line, sizeof line, "%.*s", (int)length, at);
-        centred(s, k ? &s->regular : &s->bold, k ? 14 : 16, MARGIN, LABEL - 12, middle + 20 * k - 10 * (lines - 1), k ? 165 : 225, line);
+        centred(s, k ? &s->regular : &s->bold, k ? 14 : 16, MARGIN, LABEL - 12, middle + 20 * k - 10 * (lines - 1),
+                k ? 165 : 225, line);
         at += length + (at[length] == '\n');
     }
 }
@@ -32,11 +33,13 @@ static void put_name(sheet *s, const char *name, int middle) {
 static int draw(const contact_sheet *d, sheet *s, int foot, why *w) {
     int width = 2 * MARGIN + LABEL + d->columns * (d->width + GAP) - GAP, row, column, k;
     int height = HEAD + d->rows * (d->height + CAPTION) + foot * LINE + MARGIN;
-    if (canvas_create(width, height, &s->c, w) || text_font_load(0, &s->regular, w) || text_font_load(1, &s->bold, w)) return -1;
+    if (canvas_create(width, height, &s->c, w) || text_font_load(0, &s->regular, w) || text_font_load(1, &s->bold, w))
+        return -1;
     memset(s->c.rgb, 26, 3 * (size_t)width * (size_t)height);
     text_draw(&s->c, &s->bold, 23, MARGIN, MARGIN + 18, 245, d->title);
     for (column = 0; column < d->columns; column++)
-        centred(s, &s->bold, 16, MARGIN + LABEL + column * (d->width + GAP), d->width, HEAD - 10, 225, d->heads[column]);
+        centred(s, &s->bold, 16, MARGIN + LABEL + column * (d->width + GAP), d->width, HEAD - 10, 225,
+                d->heads[column]);
     for (row = 0; row < d->rows; row++) {
         int y = HEAD + row * (d->height + CAPTION);
         put_name(s, d->names[row], y + d->height / 2);

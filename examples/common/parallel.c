@@ -57,7 +57,8 @@ int parallel_run(parallel *p, why *w) {
     mtx_init(&s.lock, mtx_plain);
     progress_start(&line, p->what ? p->what : "", p->count, 0, p->unit ? p->unit : "", p->unit_per_item);
     mtx_lock(&s.lock);
-    while (started < p->threads && started < MOST_THREADS && thrd_create(&thread[started], run_thread, &s) == thrd_success)
+    while (started < p->threads && started < MOST_THREADS &&
+           thrd_create(&thread[started], run_thread, &s) == thrd_success)
         started++;
     s.running = started;
     mtx_unlock(&s.lock);
@@ -67,5 +68,6 @@ int parallel_run(parallel *p, why *w) {
     if (p->what) progress_end(&line, s.finished);
     mtx_destroy(&s.lock);
     p->done = s.finished;
-    return s.failed ? why_set(w, "%s: failed: out of memory, or rays could not be traced", p->what ? p->what : "work") : 0;
+    return s.failed ? why_set(w, "%s: failed: out of memory, or rays could not be traced", p->what ? p->what : "work")
+                    : 0;
 }

@@ -28,7 +28,8 @@ static double random_next(random_stream *r) {                     /* SplitMix64 
 typedef struct surface { prt_vec3 position, flat, normal, towards, mirrored; const material *m; int inside; } surface;
 
 /* flat: where rays start that go through, or that come from inside. */
-static surface surface_of(const material *m, prt_vec3 position, prt_vec3 flat, prt_vec3 normal, prt_vec3 towards, int inside) {
+static surface surface_of(const material *m, prt_vec3 position, prt_vec3 flat, prt_vec3 normal, prt_vec3 towards,
+                          int inside) {
     surface s;
     s.position = position;
     s.flat = flat;
@@ -194,8 +195,8 @@ static int arrive(worker *k, int alive) {
         at = scene_place(r->scene, h);
         inside = vec_dot(h->normal, k->rays[i].dir) > 0;
         k->paths[left] = k->paths[i];
-        k->paths[left++].at = surface_of(&r->scene->parts[h->object].material, at.position, scene_place_flat(r->scene, h), at.normal,
-                                        k->rays[i].dir, inside);
+        k->paths[left++].at = surface_of(&r->scene->parts[h->object].material, at.position,
+                                         scene_place_flat(r->scene, h), at.normal, k->rays[i].dir, inside);
     }
     return left;
 }
@@ -209,7 +210,9 @@ static int light_paths(worker *k, int alive, prt_rgb *sum) {
         add_caustics(k, &p->at, rgb_scale(p->weight, 1.0 / r->samples), sum);
         for (g = 0; g < r->group_count; g++) {
             int n = k->in_group[g], chosen = (int)(random_next(&p->random) * n);
-            if (n) count = aim_at_light(k, &p->at, k->by_group[k->group_start[g] + chosen], rgb_scale(p->weight, n), count);
+            if (n)
+                count = aim_at_light(k, &p->at, k->by_group[k->group_start[g] + chosen], rgb_scale(p->weight, n),
+                                     count);
         }
     }
     return add_unblocked(k, count, 1.0 / r->samples, sum);
@@ -339,8 +342,8 @@ int path_reference_trace(path_reference *r, why *w) {
         return why_set(w, "the reference takes 1 to %d groups of at most %d lights in all", PATH_GROUPS, PATH_LIGHTS);
     memset(r->caustics, 0, sizeof r->caustics);
     for (half = 0; half < PATH_HALVES && !failed; half++)
-        failed = photon_map_make(r->scene, r->tracer, r->light_count, r->lights, r->photons, disc, r->seed * PATH_HALVES + (uint64_t)half,
-                                 &r->caustics[half], w);
+        failed = photon_map_make(r->scene, r->tracer, r->light_count, r->lights, r->photons, disc,
+                                 r->seed * PATH_HALVES + (uint64_t)half, &r->caustics[half], w);
     if (!failed) failed = trace_queries(r, w);
     for (half = 0; half < PATH_HALVES; half++) photon_map_free(&r->caustics[half]);
     return failed;

@@ -1,6 +1,6 @@
 /* path_reference: light at points of a scene by path tracing: point lights with shadows, diffuse and glossy
-   interreflection of many bounces, refraction through transmissive parts, their caustics by photons. Each value comes in
-   two independent halves: their mean is the result, their difference tells its noise. */
+   interreflection of many bounces, refraction through transmissive parts, their caustics by photons. Each value comes
+   in two independent halves: their mean is the result, their difference tells its noise. */
 #ifndef EXAMPLES_PATH_REFERENCE_H
 #define EXAMPLES_PATH_REFERENCE_H
 
@@ -19,12 +19,13 @@ typedef struct path_reference {
     const prt_tracer      *tracer;     /* object ids are parts */
     int                   light_count;
     const prt_point_light *lights;
-    const int             *group;      /* [light_count] 0 ... group_count-1: lights whose light is kept apart; NULL: 0 */
+    const int             *group;      /* [light_count] 0 ... group_count-1: whose light is kept apart; NULL: 0 */
     int                   group_count;
     int                   samples;     /* paths for each query and half; 0: direct light alone */
     int                   depth;       /* bounces, 1: light that was reflected once on its way; at most */
-    int                   photons;     /* from each light to each transmissive part, in each half; 0: no caustics. Their density
-                                          is taken over discs of .015 of the scene's radius; surfaces answer diffusely */
+    int                   photons;     /* from each light to each transmissive part, in each half; 0: no caustics. Their
+                                          density is taken over discs of .015 of the scene's radius; surfaces answer
+                                          diffusely */
     prt_real              bias;
     uint64_t              seed;
     int                   threads;
@@ -34,7 +35,7 @@ typedef struct path_reference {
     const path_query      *queries;
     prt_rgb               *out[PATH_HALVES];     /* [query_count][group_count] */
     photon_map            caustics[PATH_HALVES];           /* while it runs */
-    int                   done;        /* in: queries that need no work; out: queries that are finished, from the first on */
+    int                   done;        /* in: queries that need no work; out: finished ones, from the first on */
 } path_reference;
 
 /* 0, or -1 with the reason in w; interrupted: done < query_count. */

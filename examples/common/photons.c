@@ -57,7 +57,8 @@ static int follow(const scene *s, const prt_tracer *t, prt_ray ray, photon *p, d
         if (!inside) p->power = rgb_times(p->power, m->transmissive);
         if (inside) at.normal = vec(-(double)at.normal.x, -(double)at.normal.y, -(double)at.normal.z);
         ray.dir = refracted(ray.dir, at.normal, inside ? (double)m->index : 1 / (double)m->index);
-        ray.origin = vec_add(scene_place_flat(s, &hit), vec_dot(ray.dir, at.normal) > 0 ? (prt_real)1e-4 : (prt_real)-1e-4, at.normal);
+        ray.origin = vec_add(scene_place_flat(s, &hit),
+                             vec_dot(ray.dir, at.normal) > 0 ? (prt_real)1e-4 : (prt_real)-1e-4, at.normal);
     }
     return 0;
 }
@@ -68,18 +69,20 @@ static unsigned cell_of(const photon_map *map, int x, int y, int z) {
 static int coordinate(const photon_map *map, prt_real v) { return (int)floor((double)v / map->radius); }
 
 static void keep(photon_map *map, const photon *p) {
-    unsigned cell = cell_of(map, coordinate(map, p->position.x), coordinate(map, p->position.y), coordinate(map, p->position.z));
+    unsigned cell = cell_of(map, coordinate(map, p->position.x), coordinate(map, p->position.y),
+                            coordinate(map, p->position.z));
     map->photons[map->count] = *p;
     map->photons[map->count].next = map->first[cell];
     map->first[cell] = map->count++;
 }
 
 /* Photons of one light through one part: directions uniform in the cone that its bounding sphere fills. */
-static void send(const scene *s, const prt_tracer *t, const prt_point_light *light, int number, const scene_part *part, int count,
-                 uint64_t seed, photon_map *map) {
+static void send(const scene *s, const prt_tracer *t, const prt_point_light *light, int number, const scene_part *part,
+                 int count, uint64_t seed, photon_map *map) {
     target at = around(s, part);
     prt_vec3 to = vec_add(at.centre, -1, light->position), axis = vec_unit(to, vec(0, 0, 1));
-    double distance = sqrt(vec_dot(to, to)), sine = at.radius / distance, cosine = sine < 1 ? sqrt(1 - sine * sine) : -1, way;
+    double distance = sqrt(vec_dot(to, to)), sine = at.radius / distance,
+           cosine = sine < 1 ? sqrt(1 - sine * sine) : -1, way;
     double solid_angle = 2 * pi * (1 - cosine);
     int k;
     for (k = 0; k < count; k++) {
@@ -116,7 +119,8 @@ int photon_map_make(const scene *s, const prt_tracer *t, int light_count, const 
     for (k = 0; k < map->cells; k++) map->first[k] = -1;
     for (i = 0; i < light_count; i++)
         for (k = 0; k < s->part_count; k++)
-            if (transmits(&s->parts[k].material)) send(s, t, &lights[i], i, &s->parts[k], photons, seed + 16 * (uint64_t)k, map);
+            if (transmits(&s->parts[k].material))
+                send(s, t, &lights[i], i, &s->parts[k], photons, seed + 16 * (uint64_t)k, map);
     return 0;
 }
 
@@ -129,15 +133,19 @@ void photon_map_free(photon_map *map) {
 /* ---- gathering ---- */
 
 /* Photons of one cell within the disc; those of another surface nearby lie off its plane or come from behind. */
-static void add_cell(const photon_map *map, int x, int y, int z, prt_vec3 position, prt_vec3 normal, const int *group, prt_rgb *sum) {
+static void add_cell(const photon_map *map, int x, int y, int z, prt_vec3 position, prt_vec3 normal, const int *group,
+                     prt_rgb *sum) {
     double area = pi * map->radius * map->radius;
     int k;
     for (k = map->first[cell_of(map, x, y, z)]; k >= 0; k = map->photons[k].next) {
         const photon *p = &map->photons[k];
         prt_vec3 off = vec_add(p->position, -1, position);
         prt_rgb *to;
-        if (coordinate(map, p->position.x) != x || coordinate(map, p->position.y) != y || coordinate(map, p->position.z) != z) continue;
-        if (vec_dot(off, off) > map->radius * map->radius || fabs(vec_dot(off, normal)) > 0.25 * map->radius || vec_dot(p->dir, normal) >= 0)
+        if (coordinate(map, p->position.x) != x || coordinate(map, p->position.y) != y ||
+            coordinate(map, p->position.z) != z)
+            continue;
+        if (vec_dot(off, off) > map->radius * map->radius || fabs(vec_dot(off, normal)) > 0.25 * map->radius ||
+            vec_dot(p->dir, normal) >= 0)
             continue;
         to = &sum[group ? group[p->light] : 0];
         to->r += (prt_real)((double)p->power.r / area);
@@ -150,5 +158,6 @@ void photon_map_add(const photon_map *map, prt_vec3 position, prt_vec3 normal, c
     int x, y, z, i;
     if (map->count == 0) return;
     x = coordinate(map, position.x); y = coordinate(map, position.y); z = coordinate(map, position.z);
-    for (i = 0; i < 27; i++) add_cell(map, x + i % 3 - 1, y + i / 3 % 3 - 1, z + i / 9 - 1, position, normal, group, sum);
+    for (i = 0; i < 27; i++)
+        add_cell(map, x + i % 3 - 1, y + i / 3 % 3 - 1, z + i / 9 - 1, position, normal, group, sum);
 }

@@ -1,5 +1,5 @@
-/* photons: light that point lights send through transmissive parts onto the rest: caustics [Jensen 1996]. A light of colour
-   c, whatever its distance, so a photon's power grows with the square of the way that it went. */
+/* photons: light that point lights send through transmissive parts onto the rest: caustics [Jensen 1996]. A light of
+   colour c, whatever its distance, so a photon's power grows with the square of the way that it went. */
 #ifndef EXAMPLES_PHOTONS_H
 #define EXAMPLES_PHOTONS_H
 
@@ -14,8 +14,8 @@ typedef struct photon_map {
     int    *first;                     /* [cells]: chains through photon.next, -1: none */
 } photon_map;
 
-/* So many photons from each light towards each transmissive part; kept where they end on an opaque surface after they went
-   through one at least. Snell's law, total reflection, nothing lost by partial reflection. */
+/* So many photons from each light towards each transmissive part; kept where they end on an opaque surface after they
+   went through one at least. Snell's law, total reflection, nothing lost by partial reflection. */
 int  photon_map_make(const scene *s, const prt_tracer *t, int light_count, const prt_point_light *lights, int photons,
                      double radius, uint64_t seed, photon_map *map, why *w);
 void photon_map_free(photon_map *map);

@@ -18,7 +18,9 @@ static double row_solid_angle(const image *map, int y) {
     return 2 * pi / map->width * (cos(pi * y / map->height) - cos(pi * (y + 1) / map->height));
 }
 
-static double luminance(const float *v) { return 0.2126 * (double)v[0] + 0.7152 * (double)v[1] + 0.0722 * (double)v[2]; }
+static double luminance(const float *v) {
+    return 0.2126 * (double)v[0] + 0.7152 * (double)v[1] + 0.0722 * (double)v[2];
+}
 
 static int sum_up(cutting *c, why *w) {
     const image *map = c->map;
@@ -130,7 +132,8 @@ static double van_der_corput(unsigned k) {
 void point_lights_around(int count, prt_vec3 centre, double distance, prt_point_light *lights) {
     int k;
     for (k = 0; k < count; k++) {
-        double height = 0.3 + 0.65 * (1 - van_der_corput((unsigned)k + 1)), phi = 2 * pi * fmod(0.55 + 0.6180339887498949 * k, 1);
+        double height = 0.3 + 0.65 * (1 - van_der_corput((unsigned)k + 1)),
+               phi = 2 * pi * fmod(0.55 + 0.6180339887498949 * k, 1);
         double across = sqrt(1 - height * height), warm = 0.12 * cos(2.399963 * k);
         lights[k].position = vec_add(centre, (prt_real)distance, vec(across * cos(phi), across * sin(phi), height));
         lights[k].color = rgb(1 + warm, 1, 1 - warm);

@@ -51,7 +51,8 @@ static int sheet_point(const builder *b, int first, int columns, int rows, int f
     (void)b;
     if (flags & WRAP_U) i %= columns;
     if (flags & WRAP_V) j %= rows;
-    if (flags & POLE_BELOW) return j == 0 ? first : first + 1 + (j - 1) * width + (flags & POLE_ABOVE && j == rows ? 0 : i);
+    if (flags & POLE_BELOW)
+        return j == 0 ? first : first + 1 + (j - 1) * width + (flags & POLE_ABOVE && j == rows ? 0 : i);
     return first + j * width + (flags & POLE_ABOVE && j == rows ? 0 : i);
 }
 
@@ -64,7 +65,8 @@ static void add_sheet(builder *b, int columns, int rows, int flags, sheet_form f
     }
     for (j = 0; j < rows; j++) {
         for (i = 0; i < columns; i++) {
-            int a = sheet_point(b, first, columns, rows, flags, i, j), c = sheet_point(b, first, columns, rows, flags, i + 1, j);
+            int a = sheet_point(b, first, columns, rows, flags, i, j),
+                c = sheet_point(b, first, columns, rows, flags, i + 1, j);
             int d = sheet_point(b, first, columns, rows, flags, i + 1, j + 1);
             int e = sheet_point(b, first, columns, rows, flags, i, j + 1);
             if (a != c) add_triangle(b, a, c, d);
@@ -127,7 +129,8 @@ static prt_vec3 pot_form(const void *what, double u, double v) {
 typedef struct arm { pot where; double path[3][2], r0, r1; } arm;
 static prt_vec3 arm_form(const void *what, double u, double v) {
     const arm *m = (const arm *)what;
-    double a = (1 - v) * (1 - v), b = 2 * v * (1 - v), c = v * v, along[2], tangent[2], length, r = m->r0 + v * (m->r1 - m->r0);
+    double a = (1 - v) * (1 - v), b = 2 * v * (1 - v), c = v * v, along[2], tangent[2], length,
+           r = m->r0 + v * (m->r1 - m->r0);
     double angle = 2 * pi * u, out, up, side, cf = cos(m->where.facing), sf = sin(m->where.facing), s = m->where.size;
     int k;
     for (k = 0; k < 2; k++) {
@@ -292,7 +295,8 @@ static material glass(double r, double g, double blue) {
 }
 
 int scene_glass(double fineness, scene *s, why *w) {
-    const ball clear = { { -0.55, -0.1, 0.65 }, 0.5 }, red = { { 0.75, 0.3, 0.5 }, 0.38 }, white = { { 0.35, -0.85, 0.3 }, 0.3 };
+    const ball clear = { { -0.55, -0.1, 0.65 }, 0.5 }, red = { { 0.75, 0.3, 0.5 }, 0.38 },
+               white = { { 0.35, -0.85, 0.3 }, 0.3 };
     builder b;
     memset(&b, 0, sizeof b);
     memset(s, 0, sizeof *s);
@@ -452,9 +456,11 @@ int view_create(const scene *s, const embree_tracer *t, camera eye, int width, i
     aim(v);
     for (row = 0; row < height; row++) {
         size_t at = (size_t)row * (size_t)width;
-        if (t->tracer.closest(t->tracer.user, width, v->rays + at, v->hits + at)) return why_set(w, "the view cannot be traced");
+        if (t->tracer.closest(t->tracer.user, width, v->rays + at, v->hits + at))
+            return why_set(w, "the view cannot be traced");
     }
-    for (k = 0; k < count; k++) if (v->hits[k].object >= s->part_count) return why_set(w, "Embree reports an unknown object");
+    for (k = 0; k < count; k++)
+        if (v->hits[k].object >= s->part_count) return why_set(w, "Embree reports an unknown object");
     return 0;
 }
 

@@ -9,7 +9,8 @@
 
 /* Phong's model as in the thesis: a light of colour c, whatever its distance, gives c (diffuse max(0, N.l) +
    specular max(0, r.l)^shininess), r the eye ray reflected. Light from all around, of radiance L, gives accordingly
-   (1/pi) int L (diffuse max(0, N.w) + specular max(0, r.w)^shininess) dw: a point light is a delta of irradiance pi c. */
+   (1/pi) int L (diffuse max(0, N.w) + specular max(0, r.w)^shininess) dw: a point light is a delta of irradiance
+   pi c. */
 typedef struct material {
     prt_rgb  diffuse, specular, transmissive;              /* transmissive: 0 opaque ... 1 clear */
     prt_real shininess, index;                             /* index of refraction, where transmissive */
@@ -39,8 +40,8 @@ int  scene_ball(double fineness, scene *s, why *w);
 /* A clear and a red ball of glass and a white one on a platform: what makes caustics. */
 int  scene_glass(double fineness, scene *s, why *w);
 
-/* A mesh of a file, standing on a platform of `strips` x `strips` squares; with four coloured balls around it. up: which
-   axis of the file points upwards, "+x", "-x", "+y" ... */
+/* A mesh of a file, standing on a platform of `strips` x `strips` squares; with four coloured balls around it. up:
+   which axis of the file points upwards, "+x", "-x", "+y" ... */
 int  scene_statue(const char *path, const char *up, int strips, scene *s, why *w);
 
 void scene_free(scene *s);

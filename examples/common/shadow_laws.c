@@ -37,7 +37,8 @@ static int trace_vertex(const tracing *g, int k) {
     for (i = 0; i < to->directions; i++) {
         int open = 0;
         for (j = 0, count = 0; j < to->rays; j++) {
-            prt_vec3 d = within(dirs[i], to->angle, j, to->rays, 11, (uint64_t)k * (uint64_t)to->directions + (uint64_t)i);
+            prt_vec3 d = within(dirs[i], to->angle, j, to->rays, 11,
+                                (uint64_t)k * (uint64_t)to->directions + (uint64_t)i);
             if (vec_dot(d, at->normal) <= 0) continue;
             rays[count].origin = vec_add(at->position, t->bias, at->normal);
             rays[count].dir = d;
@@ -124,8 +125,10 @@ static shadow_error error_of(const techniques *t, const shadow_truth *truth, con
     for (k = 0; k < points; k++) {
         for (i = 0; i < truth->directions; i++) {
             size_t at = (size_t)k * (size_t)truth->directions + (size_t)i;
-            double factor = ambient ? (double)t->open[k] : !law ? 1 :
-                            factor_of(&p, &t->points[k], t->first[k + 1] - t->first[k], t->occluders + t->first[k], truth->dirs[at]);
+            double factor = ambient ? (double)t->open[k]
+                            : !law  ? 1
+                                    : factor_of(&p, &t->points[k], t->first[k + 1] - t->first[k],
+                                                t->occluders + t->first[k], truth->dirs[at]);
             double off = factor - (double)truth->share[at];
             square += off * off;
             sum += off;
@@ -157,7 +160,7 @@ double shadow_truth_of_cap(double cap, double angle, double apart) {
     double covered = 0, all = 0;
     int k;
     if (!(angle > 0)) return apart < cap ? 0 : 1;
-    for (k = 0; k < RINGS; k++) {                          /* rings of the light; the part of each inside the cap in closed form */
+    for (k = 0; k < RINGS; k++) { /* rings of the light; the part of each inside the cap in closed form */
         double b = angle * (k + 0.5) / RINGS, weight = sin(b), across = sin(apart) * sin(b), c;
         c = across > 1e-12 ? (cos(cap) - cos(apart) * cos(b)) / across : cos(apart - b) > cos(cap) ? -1 : 1;
         covered += weight * acos(c < -1 ? -1 : c > 1 ? 1 : c) / pi;

@@ -27,8 +27,8 @@ shadow_error shadow_law_error(const techniques *t, const shadow_truth *truth, co
 /* Ambient occlusion in the place of shadows. */
 shadow_error shadow_ao_error(const techniques *t, const shadow_truth *truth);
 
-/* What a law makes of one round cap straight above, of form factor sin^2(cap), for a light `apart` from its middle; and the
-   truth, the share of the round light of radius `angle` outside the cap (0: a point). Radians. */
+/* What a law makes of one round cap straight above, of form factor sin^2(cap), for a light `apart` from its middle;
+   and the truth, the share of the round light of radius `angle` outside the cap (0: a point). Radians. */
 double shadow_law_of_cap(const prt_vo_params *law, double cap, double apart);
 double shadow_truth_of_cap(double cap, double angle, double apart);
 

@@ -19,9 +19,11 @@ static void see(const picture *p, int per_pixel, double exposure, float least, d
             unsigned char covered = 1;
             for (j = 0; j < per_pixel; j++) {
                 for (i = 0; i < per_pixel; i++) {
-                    const float *s = p->rgba + 4 * ((size_t)(y * per_pixel + j) * (size_t)p->width + (size_t)(x * per_pixel + i));
+                    const float *s = p->rgba +
+                                     4 * ((size_t)(y * per_pixel + j) * (size_t)p->width + (size_t)(x * per_pixel + i));
                     covered = (unsigned char)(covered && s[3] >= least);
-                    for (c = 0; c < 3; c++) rgb[c] += exposure * (s[c] > 0 ? (double)s[c] : 0) / (per_pixel * per_pixel);
+                    for (c = 0; c < 3; c++)
+                        rgb[c] += exposure * (s[c] > 0 ? (double)s[c] : 0) / (per_pixel * per_pixel);
                 }
             }
             seen[y * width + x] = 0.2126 * coded(rgb[0]) + 0.7152 * coded(rgb[1]) + 0.0722 * coded(rgb[2]);

@@ -73,7 +73,8 @@ static double area_of(const prt_mesh *m) {
     int k;
     for (k = 0; k < m->triangle_count; k++) {
         const uint32_t *c = m->triangles + 3 * (size_t)k;
-        prt_vec3 a = vec_add(m->positions[c[1]], -1, m->positions[c[0]]), b = vec_add(m->positions[c[2]], -1, m->positions[c[0]]);
+        prt_vec3 a = vec_add(m->positions[c[1]], -1, m->positions[c[0]]),
+                 b = vec_add(m->positions[c[2]], -1, m->positions[c[0]]);
         double aa = vec_dot(a, a), bb = vec_dot(b, b), ab = vec_dot(a, b);
         sum += 0.5 * sqrt(aa * bb > ab * ab ? aa * bb - ab * ab : 0);
     }
@@ -132,7 +133,9 @@ static int allocate(techniques *t, why *w) {
         t->moments[k] = (prt_real *)malloc(points * row);
         if (!t->transfer[k] || !t->moments[k]) return why_set(w, "out of memory for transfer");
     }
-    return t->points && t->matte_points && t->open && t->rows && t->first && t->occluders ? 0 : why_set(w, "out of memory for occluders");
+    return t->points && t->matte_points && t->open && t->rows && t->first && t->occluders
+               ? 0
+               : why_set(w, "out of memory for occluders");
 }
 
 void techniques_free(techniques *t) {
@@ -347,7 +350,8 @@ static int sh_of(technique which) { return which == TECHNIQUE_SH6 || which == TE
 static int is_ch(technique which) { return which == TECHNIQUE_CH3 || which == TECHNIQUE_CH6; }
 
 /* Point lights as deltas of irradiance pi c in their directions from the centre: three planes of inner products. */
-static void project_lights(technique which, prt_vec3 centre, int light_count, const prt_point_light *lights, prt_real *light) {
+static void project_lights(technique which, prt_vec3 centre, int light_count, const prt_point_light *lights,
+                           prt_real *light) {
     int bands = techniques_bands[sh_of(which)], n = PRT_SH_COUNT(bands), k, i;
     memset(light, 0, 3 * (size_t)n * sizeof *light);
     for (k = 0; k < light_count; k++) {
@@ -363,8 +367,8 @@ static void project_lights(technique which, prt_vec3 centre, int light_count, co
     }
 }
 
-static void shade_sh(const techniques *t, technique which, prt_vec3 centre, int light_count, const prt_point_light *lights,
-                     prt_rgb *out) {
+static void shade_sh(const techniques *t, technique which, prt_vec3 centre, int light_count,
+                     const prt_point_light *lights, prt_rgb *out) {
     int bands = techniques_bands[sh_of(which)], n = PRT_SH_COUNT(bands), k;
     const prt_real *row = is_ch(which) ? t->moments[sh_of(which)] : t->transfer[sh_of(which)];
     prt_real light[3 * MOST_COEFFICIENTS];
@@ -395,7 +399,8 @@ static int shade_vo(const techniques *t, technique which, prt_vec3 eye, int ligh
     prt_result result;
     if (alone && !nobody) return why_set(w, "out of memory");
     p.off |= prt_vo_unneeded(t->scene->part_count, t->objects) | (t->matte ? PRT_VO_NO_DS | PRT_VO_NO_SS : 0);
-    result = prt_vo_shade_n(&p, points, t->matte ? t->matte_points : t->points, eye, alone ? nobody : t->first, t->occluders, light_count, lights, out);
+    result = prt_vo_shade_n(&p, points, t->matte ? t->matte_points : t->points, eye, alone ? nobody : t->first,
+                            t->occluders, light_count, lights, out);
     for (k = 0; k < points && which == TECHNIQUE_AO; k++) out[k] = rgb_scale(out[k], (double)t->open[k]);
     free(nobody);
     return result == PRT_OK ? 0 : why_set(w, "shading: %s", prt_result_string(result));

@@ -1,6 +1,6 @@
-/* techniques: the ways to light a scene at its vertices that [Sherif 2013] compares in section 7.6: Phong without shadows,
-   ambient occlusion, vector occluders, spherical and cpherical harmonics. Each is baked once, then shades all vertices
-   under any point lights. */
+/* techniques: the ways to light a scene at its vertices that [Sherif 2013] compares in section 7.6: Phong without
+   shadows, ambient occlusion, vector occluders, spherical and cpherical harmonics. Each is baked once, then shades all
+   vertices under any point lights. */
 #ifndef EXAMPLES_TECHNIQUES_H
 #define EXAMPLES_TECHNIQUES_H
 
@@ -29,7 +29,7 @@ typedef struct techniques {
     const scene         *scene;        /* the caller's, to be set */
     const embree_tracer *tracer;
     int                 rays, threads, most_occluders;     /* rays a vertex in each pass */
-    int                 occluders_wanted;                  /* cut the parts into so many in all, by area; 0: one a part */
+    int                 occluders_wanted;                  /* cut into so many in all, by area; 0: one a part */
     prt_real            bias;
     int                 shining;       /* bake DS and SS too */
     int                 with_sh, with_time_of_dd;          /* with_time_of_dd: bake VO/DD once more for its time */
@@ -45,7 +45,8 @@ typedef struct techniques {
     int             *first;            /* occluders of vertex k: first[k] ... first[k+1]-1 */
     prt_vo_occluder *occluders;
     prt_real        *transfer[TECHNIQUES_SH], *moments[TECHNIQUES_SH];   /* [points][3][bands^2], one bounce in it */
-    double          ao_seconds, vo_seconds, vo_dd_seconds, sh_seconds[TECHNIQUES_SH][TECHNIQUES_PASSES], ch_seconds[TECHNIQUES_SH];
+    double          ao_seconds, vo_seconds, vo_dd_seconds;
+    double          sh_seconds[TECHNIQUES_SH][TECHNIQUES_PASSES], ch_seconds[TECHNIQUES_SH];
     int             occluder_count, dropped;
 } techniques;
 
@@ -53,8 +54,8 @@ typedef struct techniques {
 int  techniques_bake(techniques *t, why *w);
 void techniques_free(techniques *t);
 
-/* Colours of all vertices, out[points]. *seconds (may be NULL): the time of the shading itself, which for SH and CH counts
-   the projection of the lights. Lights of SH and CH stand in their direction from `centre`. */
+/* Colours of all vertices, out[points]. *seconds (may be NULL): the time of the shading itself, which for SH and CH
+   counts the projection of the lights. Lights of SH and CH stand in their direction from `centre`. */
 int  techniques_shade(const techniques *t, technique which, prt_vec3 eye, prt_vec3 centre, int light_count,
                       const prt_point_light *lights, prt_rgb *out, double *seconds, why *w);
 

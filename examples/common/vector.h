@@ -45,7 +45,9 @@ static inline prt_vec3 turn_to(prt_vec3 axis, prt_vec3 v) {
     return vec_unit(vec_add(out, v.z, axis), axis);
 }
 
-static inline prt_rgb rgb_times(prt_rgb a, prt_rgb b) { return rgb((double)(a.r * b.r), (double)(a.g * b.g), (double)(a.b * b.b)); }
+static inline prt_rgb rgb_times(prt_rgb a, prt_rgb b) {
+    return rgb((double)(a.r * b.r), (double)(a.g * b.g), (double)(a.b * b.b));
+}
 static inline prt_rgb rgb_scale(prt_rgb a, double s) { return rgb(s * (double)a.r, s * (double)a.g, s * (double)a.b); }
 static inline double  rgb_mean(prt_rgb c) { return ((double)c.r + (double)c.g + (double)c.b) / 3; }
 
