@@ -96,7 +96,7 @@ static int set_up(void **state) {
     s.job.transfer = s.transfer;
     s.job.stop = &s.stop;
     *state = &s;
-    return prt_bake_transfer(&s.job.desc, POINTS, s.points, 0, POINTS, s.expected);
+    return prt_bake_transfer(&s.job.desc, POINTS, s.points, 0, POINTS, s.expected) == PRT_OK ? 0 : -1;
 }
 
 static int clean_up(void **state) { mtx_destroy(&((setting *)*state)->occluder.lock); return 0; }
