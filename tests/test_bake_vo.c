@@ -868,6 +868,87 @@ static void bad_splits(void **state) {
     assert_int_equal(made, 0);
 }
 
+/* ---- shadows against the truth ---- */
+
+/* A bar of 12 balls over a floor, under a light that stands aside: the share of the light that reaches each of 16 x 16 points,
+   by both laws, against a ray to the light. From two occluders on splitting helps the cap law; the sine law it does not. */
+enum { BALLS = 12, SIDE = 16 };
+static double shadow_error(setting *s, const prt_point *points, prt_vec3 light, const unsigned char *blocked, int law) {
+    static prt_vo_occluder o[SIDE * SIDE * BALLS];
+    static prt_vo_row rows[SIDE * SIDE];
+    static int first[SIDE * SIDE + 1];
+    static prt_rgb out[SIDE * SIDE];
+    static prt_vo_point at[SIDE * SIDE];
+    prt_vo_params params;
+    prt_point_light l;
+    double sum = 0;
+    int k, n = SIDE * SIDE;
+    memset(&params, 0, sizeof params);
+    memset(at, 0, sizeof at);
+    params.law = law;
+    params.off = PRT_VO_NO_DD | PRT_VO_NO_DS | PRT_VO_NO_SS;
+    l.position = light;
+    l.color = rgb(1, 1, 1);
+    assert_int_equal(prt_bake_vo(&s->desc, n, points, NULL, 0, n, rows, o), PRT_OK);
+    assert_int_equal(prt_vo_compact(BALLS, n, rows, o, first), PRT_OK);
+    for (k = 0; k < n; k++) { at[k].position = points[k].position; at[k].normal = points[k].normal; at[k].diffuse = rgb(1, 1, 1); }
+    assert_int_equal(prt_vo_shade_n(&params, n, at, light, first, o, 1, &l, out), PRT_OK);
+    for (k = 0; k < n; k++) {
+        v3 to = unit(along(d3(light), -1, d3(points[k].position)));
+        sum += pow((double)out[k].r / to.z - (blocked[k] ? 0 : 1), 2);
+    }
+    return sqrt(sum / n);
+}
+static void shadows_against_the_truth(void **state) {
+    static const int counts[] = { 1, 2, 3, 4, 6, 12 };
+    static prt_point points[SIDE * SIDE];
+    static unsigned char blocked[SIDE * SIDE];
+    static int groups[BALLS];
+    prt_vec3 corners[3 * BALLS], light = vec3(v(2, 3, 6));
+    uint32_t faces[3 * BALLS];
+    prt_mesh bar;
+    setting s;
+    double last = 1;
+    int k, i, made;
+    (void)state;
+    begin(&s, 1);
+    for (k = 0; k < BALLS; k++) {
+        ball(&s, 0, v(.45 * (k - 5.5), 0, 1.2 + .1 * (k % 3)), .3);
+        s.w.shapes[k].primitive = k;
+        for (i = 0; i < 3; i++) {
+            faces[3 * k + i] = (uint32_t)(3 * k + i);
+            corners[3 * k + i] = vec3(along(s.w.shapes[k].centre, .1, v(i == 1, i == 2, 0)));
+        }
+    }
+    for (k = 0; k < SIDE * SIDE; k++) {
+        v3 at = v(7. * (k % SIDE) / (SIDE - 1) - 3.5, 4. * (k / SIDE) / (SIDE - 1) - 2.5, 0), to = along(d3(light), -1, at);
+        prt_ray ray;
+        points[k].position = vec3(at);
+        points[k].normal = vec3(v(0, 0, 1));
+        ray.origin = vec3(at); ray.dir = vec3(unit(to)); ray.tmin = 0; ray.tmax = 100;
+        blocked[k] = 0;
+        world_occluded(&s.w, 1, &ray, &blocked[k]);
+    }
+    memset(&bar, 0, sizeof bar);
+    bar.vertex_count = 3 * BALLS; bar.positions = corners; bar.triangle_count = BALLS; bar.triangles = faces;
+    s.desc.samples = 256;
+    s.desc.max_occluders = BALLS;
+    s.objects[0].primitive_count = BALLS;
+    s.objects[0].groups = groups;
+    for (i = 0; i < 6; i++) {
+        double sine, round_cap;
+        assert_int_equal(prt_vo_split(&bar, counts[i], 0, groups, &made), PRT_OK);
+        assert_int_equal(made, counts[i]);
+        s.objects[0].group_count = made;
+        sine = shadow_error(&s, points, light, blocked, PRT_VO_SINE);
+        round_cap = shadow_error(&s, points, light, blocked, PRT_VO_CAP);
+        printf("bar of %d balls as %2d occluders: RMSE of the shadow %.3f by the sine, %.3f by the cap\n", (int)BALLS, made, sine, round_cap);
+        if (made > 2) { assert_at_most(round_cap, last); assert_at_most(round_cap, sine); }
+        last = round_cap;
+    }
+    assert_at_most(last, .15);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_ball_has_its_closed_form),
@@ -890,6 +971,7 @@ int main(void) {
         cmocka_unit_test(patches_become_groups),
         cmocka_unit_test(faces_that_look_apart),
         cmocka_unit_test(bad_splits),
+        cmocka_unit_test(shadows_against_the_truth),
         cmocka_unit_test(bad_arguments),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
