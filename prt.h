@@ -2677,11 +2677,12 @@ PRT__STATIC void prt__basin_newton(int bands, const prt_real *f, prt__basin *b, 
         prt__basin_try(bands, f, b, d, (prt_real)(c * along - s * across) * h, (prt_real)(s * along + c * across) * h);
 }
 
-/* Downhill: a pattern search until the steps are short beside the highest band's waves, then Newton. */
+/* Downhill: a pattern search until the steps are short beside the highest band's waves, then Newton. The search ends by
+   itself, long before the rounds do, but where comparisons with NaN lie, as they may under -ffast-math. */
 PRT__STATIC void prt__basin_descend(int bands, const prt_real *f, prt__basin *b) {
     prt_real step = PRT__R(0.5) / (prt_real)bands, last = PRT__R(0.03) / (prt_real)bands, h;
-    int k;
-    while (step > last) {
+    int k, rounds;
+    for (rounds = 0; rounds < 256 && step > last; rounds++) {
         prt_vec3 from = b->dir;
         int moved = prt__basin_try(bands, f, b, from, step, 0) | prt__basin_try(bands, f, b, from, -step, 0) |
                     prt__basin_try(bands, f, b, from, 0, step) | prt__basin_try(bands, f, b, from, 0, -step);

@@ -21,9 +21,11 @@
 /* With -ffast-math the compiler assumes that there is no NaN and no infinity and reorders sums (prt.h, DETERMINISM):
    errors may be twice what they are without, and cases that are about NaN, infinity or bit equality are skipped. */
 #ifdef __FAST_MATH__
+#  define FAST_MATH 1
 #  define ERROR_FACTOR 2
 #  define skip_if_fast_math() skip()
 #else
+#  define FAST_MATH 0
 #  define ERROR_FACTOR 1
 #  define skip_if_fast_math() ((void)0)
 #endif

@@ -214,28 +214,43 @@ static void in_place_and_with_nan(void **state) {
     prt_real f[SIZE], out[SIZE], same[SIZE];
     int i;
     (void)state;
-    skip_if_fast_math();
     random_function(16, 3, f);
     f[0] -= 4;
     memcpy(same, f, sizeof f);
     prt_sh_exp(4, f, out);
     prt_sh_exp(4, same, same);
-    assert_memory_equal(same, out, 16 * sizeof *out);
+    if (!FAST_MATH) assert_memory_equal(same, out, 16 * sizeof *out);
     memcpy(same, f, sizeof f);
     prt_sh_log(4, 5, PRT__R(0.1), f, out);
     prt_sh_log(4, 5, PRT__R(0.1), same, same);
-    assert_memory_equal(same, out, 16 * sizeof *out);
+    if (!FAST_MATH) assert_memory_equal(same, out, 16 * sizeof *out);
     f[5] = (prt_real)NAN;
     prt_sh_exp(4, f, out);
-    for (i = 0; i < 16; i++) assert_true(out[i] != out[i]);
+    for (i = 0; i < 16; i++) assert_true(FAST_MATH || out[i] != out[i]);
     prt_sh_log(4, 5, PRT__R(0.1), f, out);
-    for (i = 0; i < 16; i++) assert_true(out[i] != out[i]);
+    for (i = 0; i < 16; i++) assert_true(FAST_MATH || out[i] != out[i]);
+}
+
+/* Every function ends, within its buffers, whatever it is given; also where the compiler takes NaN for impossible. */
+static void nothing_hangs(void **state) {
+    static prt_real f[SIZE], out[SIZE];
+    static const double odd[] = { NAN, INFINITY, -INFINITY, DBL_MAX, 1e-310 };
+    int bands, k;
+    (void)state;
+    for (bands = 1; bands * bands <= SIZE && bands <= 7; bands++)
+        for (k = 0; k < 40; k++) {
+            random_function(bands * bands, 3, f);
+            f[(7 * k) % (bands * bands)] = (prt_real)odd[k % 5];
+            f[(3 * k) % (bands * bands)] = (prt_real)odd[k / 5 % 5];
+            assert_int_equal(prt_sh_exp(bands, f, out), PRT_OK);
+            assert_int_equal(prt_sh_exp_linear(bands, f, out), PRT_OK);
+            assert_int_equal(prt_sh_log(bands, 1 + k % PRT_KRYLOV_MAX, PRT__R(0.02), f, out), PRT_OK);
+        }
 }
 
 static void bad_calls_write_nothing(void **state) {
     prt_real f[4] = { 1, 0, 0, 0 }, out[4] = { 5, 6, 7, 8 };
     (void)state;
-    skip_if_fast_math();
     assert_int_equal(prt_sh_exp(0, f, out), PRT_ERR_BANDS);
     assert_int_equal(prt_sh_exp(2, NULL, out), PRT_ERR_NULL);
     assert_int_equal(prt_sh_exp(2, f, NULL), PRT_ERR_NULL);
@@ -259,7 +274,7 @@ int main(void) {
         cmocka_unit_test(constants_are_plain_numbers), cmocka_unit_test(small_functions_have_the_series),
         cmocka_unit_test(the_series_is_of_degree_four), cmocka_unit_test(exp_undoes_log),
         cmocka_unit_test(log_is_the_matrix_logarithm), cmocka_unit_test(linear_is_right_at_its_two_points),
-        cmocka_unit_test(in_place_and_with_nan), cmocka_unit_test(bad_calls_write_nothing)
+        cmocka_unit_test(in_place_and_with_nan), cmocka_unit_test(nothing_hangs), cmocka_unit_test(bad_calls_write_nothing)
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

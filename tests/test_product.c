@@ -436,7 +436,6 @@ static void nan_goes_in_and_comes_out(void **state) {
     static prt_real f[COUNT], g[COUNT], out[COUNT];
     int n, i, w;
     (void)state;
-    skip_if_fast_math();
     for (n = 1; n <= 18; n++)
         for (w = PRT_WINDOW_NONE; w <= PRT_WINDOW_POSITIVE; w++) {
             int found = 0;
@@ -445,10 +444,10 @@ static void nan_goes_in_and_comes_out(void **state) {
             g[n * n / 2] = (prt_real)NAN;
             assert_int_equal(prt_sh_mask(n, (prt_window)w, f, g, out), PRT_OK);
             for (i = 0; i < n * n; i++) found += out[i] != out[i];
-            assert_true(found > 0);
-            assert_true(out[n * n / 2] != out[n * n / 2]);
+            assert_true(FAST_MATH || found > 0);
+            assert_true(FAST_MATH || out[n * n / 2] != out[n * n / 2]);
             prt_sh_square(n, g, out);
-            assert_true(out[0] != out[0]);
+            assert_true(FAST_MATH || out[0] != out[0]);
         }
 }
 
