@@ -5719,14 +5719,15 @@ typedef struct prt__fiv_scene {
 /* An occluder from the receivers: direction, its unit bounding disc, what it takes of each channel; lit 0: nothing. */
 typedef struct prt__fiv_seen { prt__vec x, y, z, disc, disc2, taken[3]; int lit; } prt__fiv_seen;
 
-/* The vectors of occluder k in the lanes that `lit` names, nine rows of lanes. */
+/* The vectors of occluder k in the lanes that `lit` names, nine numbers each. A single lane is spread over all: going
+   through memory would wait for it. */
 PRT__STATIC void prt__fiv_vectors(const prt__fiv_scene *s, int k, const prt__fiv_polar *p, const prt_real *lit,
-                                  prt_real (*rows)[PRT__LANES]) {
+                                  prt__vec vectors[9]) {
+    prt_real rows[9][PRT__LANES], v[9] = { 0 };
     prt__fiv_cells cells;
     prt__fiv_grid grid;
-    prt_real v[9];
     int lane, i;
-    memset(rows, 0, 9 * sizeof *rows);
+    if (s->lanes > 1) memset(rows, 0, sizeof rows);
     if (!s->hidden) {
         grid = prt__fiv_grid_of(s->occluders[k].table);
         prt__fiv_cells_of(&grid, p, s->lanes, &cells);
@@ -5735,8 +5736,9 @@ PRT__STATIC void prt__fiv_vectors(const prt__fiv_scene *s, int k, const prt__fiv
         if (!(lit[lane] > 0)) continue;
         if (s->hidden) memcpy(v, &s->hidden[k].fiv, sizeof v);
         else prt__fiv_blend(&grid, s->occluders[k].table->samples, &cells, lane, v);
-        for (i = 0; i < 9; i++) rows[i][lane] = v[i];
+        for (i = 0; i < 9 && s->lanes > 1; i++) rows[i][lane] = v[i];
     }
+    for (i = 0; i < 9; i++) vectors[i] = s->lanes > 1 ? prt__vec_load(rows[i]) : prt__vec_set(v[i]);
 }
 
 /* g(u) - u: what the horizon leaves of a cap of uniform radiance, over what it would give facing the receiver uncut,
@@ -5749,10 +5751,10 @@ PRT__STATIC prt__vec prt__fiv_cut(prt__vec u) {
 PRT__STATIC void prt__fiv_see(const prt__fiv_scene *s, int k, prt__fiv_seen *seen) {
     const prt__vec zero = prt__vec_set(0), one = prt__vec_set(1);
     prt_vec3 to = s->hidden ? s->hidden[k].to_centre : s->occluders[k].position;
-    prt_real size = s->hidden ? s->hidden[k].radius : s->occluders[k].table->radius, lit[PRT__LANES], rows[9][PRT__LANES];
+    prt_real size = s->hidden ? s->hidden[k].radius : s->occluders[k].table->radius, lit[PRT__LANES];
     prt__vec radius = prt__vec_set(size);
     prt__fiv_polar p = prt__fiv_polar_of(to.x - s->px, to.y - s->py, to.z - s->pz);
-    prt__vec up = prt__fiv_dot(&p, s->nx, s->ny, s->nz), sine, u, cut = zero, shine;
+    prt__vec up = prt__fiv_dot(&p, s->nx, s->ny, s->nz), sine, u, cut = zero, shine, vectors[9];
     int c, lane, partial = 0;
     seen->lit = 0;
     if (!(size > 0)) return;
@@ -5762,13 +5764,13 @@ PRT__STATIC void prt__fiv_see(const prt__fiv_scene *s, int k, prt__fiv_seen *see
     prt__vec_store(lit, shine);
     for (lane = 0; lane < s->lanes; lane++) seen->lit |= lit[lane] > 0;
     if (!seen->lit) return;
-    prt__fiv_vectors(s, k, &p, lit, rows);
+    prt__fiv_vectors(s, k, &p, lit, vectors);
     prt__vec_store(lit, u);
     for (lane = 0; lane < s->lanes; lane++) partial |= lit[lane] < 1;
     if (s->flags & PRT_FIV_PAPER_PARTIAL) cut = prt__vec_clamp(up * p.distance / radius, -one, one) * PRT__R(0.5) + PRT__R(0.5);
     else if (partial) cut = prt__fiv_cut(u) * sine;
     for (c = 0; c < 3; c++) {
-        prt__vec x = prt__vec_load(rows[3 * c]), y = prt__vec_load(rows[3 * c + 1]), z = prt__vec_load(rows[3 * c + 2]);
+        prt__vec x = vectors[3 * c], y = vectors[3 * c + 1], z = vectors[3 * c + 2];
         prt__vec along = x * s->nx + y * s->ny + z * s->nz;
         if (s->flags & PRT_FIV_PAPER_PARTIAL) along = along * cut;
         else if (partial) along = along + PRT__SELECT(u < one, prt__vec_root(x * x + y * y + z * z) * cut, zero);
@@ -5847,18 +5849,19 @@ PRT__STATIC prt_result prt__fiv_occluders_check(int count, const prt_fiv_occlude
 PRT__STATIC void prt__fiv_receivers(prt__fiv_scene *s, int lanes, const prt_rgb *totals, const prt_vec3 *positions,
                                     const prt_vec3 *normals) {
     prt_real v[9][PRT__LANES];
-    prt__vec zero = prt__vec_set(0);
-    int k;
-    for (k = 0; k < PRT__LANES; k++) {
+    prt__vec zero = prt__vec_set(0), all[9];
+    int k, i;
+    for (k = 0; k < (lanes > 1 ? PRT__LANES : 1); k++) {
         int at = k < lanes ? k : lanes - 1;
         v[0][k] = positions[at].x; v[1][k] = positions[at].y; v[2][k] = positions[at].z;
         v[3][k] = normals[at].x; v[4][k] = normals[at].y; v[5][k] = normals[at].z;
         v[6][k] = totals[at].r; v[7][k] = totals[at].g; v[8][k] = totals[at].b;
     }
+    for (i = 0; i < 9; i++) all[i] = lanes > 1 ? prt__vec_load(v[i]) : prt__vec_set(v[i][0]);
     s->lanes = lanes;
-    s->px = prt__vec_load(v[0]); s->py = prt__vec_load(v[1]); s->pz = prt__vec_load(v[2]);
-    s->nx = prt__vec_load(v[3]); s->ny = prt__vec_load(v[4]); s->nz = prt__vec_load(v[5]);
-    for (k = 0; k < 3; k++) s->total[k] = prt__vec_most(prt__vec_load(v[6 + k]), zero);
+    s->px = all[0]; s->py = all[1]; s->pz = all[2];
+    s->nx = all[3]; s->ny = all[4]; s->nz = all[5];
+    for (k = 0; k < 3; k++) s->total[k] = prt__vec_most(all[6 + k], zero);
 }
 
 PRT__STATIC void prt__fiv_write(const prt__vec left[3], int lanes, prt_rgb *irradiance) {

@@ -78,6 +78,93 @@ static const vo_scene *vo_scene_of(void) {
 #define BLOCKS blocks
 #define PREPARED const prt_real *blocks = n > 0 ? blocks_of(n) : NULL; (void)blocks; (void)n; (void)items;
 
+/* A table of random vectors on 33 x 64 x 30 places, as large as one that is baked (2.3 MB in float), 32 x 32 receivers on
+   a plane, and occluders floating over them, close to each other: of 60, four pairs in ten overlap. */
+enum { FIV_THETAS = 33, FIV_PHIS = 64, FIV_RHOS = 30, FIV_SAMPLES = FIV_THETAS * FIV_PHIS * FIV_RHOS, FIV_RECEIVERS = 1024,
+       FIV_MOST = 60, FIV_BANDS = 4, FIV_HIDDEN = (FIV_BANDS + 1) * (FIV_BANDS + 1) };
+typedef struct fiv_scene {
+    prt_fiv samples[FIV_SAMPLES], low[FIV_RHOS], step[FIV_RHOS];
+    prt_real rho[FIV_RHOS], hidden[FIV_SAMPLES * FIV_HIDDEN], vectors[9 * FIV_HIDDEN];
+    unsigned char bytes[FIV_SAMPLES * 9];
+    uint16_t halves[FIV_SAMPLES * 9];
+    prt_fiv_table table;
+    prt_fiv_packed packed8, packed16;
+    prt_fiv_transfer transfer;
+    prt_fiv_occluder occluders[FIV_MOST];
+    prt_vec3 positions[FIV_RECEIVERS], normals[FIV_RECEIVERS];
+    prt_rgb totals[FIV_RECEIVERS];
+    int corner[FIV_RECEIVERS];         /* the first of eight samples around occluder 0 */
+} fiv_scene;
+
+static const fiv_scene *fiv_scene_of(const bench_data *data) {
+    static fiv_scene s;
+    int k, i;
+    if (s.table.samples) return &s;
+    for (k = 0; k < FIV_SAMPLES * 9; k++) (&s.samples[0].r.x)[k] = F[k % 4096] + 1;
+    for (k = 0; k < FIV_SAMPLES * FIV_HIDDEN; k++) s.hidden[k] = F[k % 4096];
+    for (k = 0; k < FIV_RHOS; k++) s.rho[k] = (prt_real)(1.05 * pow(1.07, k));
+    s.table.theta_count = s.transfer.theta_count = FIV_THETAS;
+    s.table.phi_count = s.transfer.phi_count = FIV_PHIS;
+    s.table.rho_count = s.transfer.rho_count = FIV_RHOS;
+    s.table.rho = s.transfer.rho = s.rho;
+    s.table.radius = s.transfer.radius = 1;
+    s.transfer.bands = FIV_BANDS;
+    s.transfer.samples = s.hidden;
+    s.table.samples = s.samples;
+    prt_fiv_pack(&s.table, 8, s.bytes, s.low, s.step, &s.packed8);
+    prt_fiv_pack(&s.table, 16, s.halves, NULL, NULL, &s.packed16);
+    prt_fiv_transfer_light(FIV_BANDS, NULL, F, s.vectors);
+    for (k = 0; k < FIV_MOST; k++) {
+        prt_fiv_occluder o = { NULL, { 0, 0, 0 } };
+        o.table = &s.table;
+        o.position.x = (prt_real)(3 * sin(2.4 * k) * sqrt((k + 0.5) / FIV_MOST));
+        o.position.y = (prt_real)(3 * cos(2.4 * k) * sqrt((k + 0.5) / FIV_MOST));
+        o.position.z = (prt_real)(1.2 + 0.3 * (k % 5));
+        s.occluders[k] = o;
+    }
+    for (k = 0; k < FIV_RECEIVERS; k++) {
+        prt__fiv_grid grid = prt__fiv_grid_of(&s.table);
+        prt__fiv_cells cells;
+        s.positions[k].x = (prt_real)(k % 32 * 0.2 - 3.2);
+        s.positions[k].y = (prt_real)(k / 32 * 0.2 - 3.2);
+        s.normals[k].z = 1;
+        s.totals[k].r = s.totals[k].g = s.totals[k].b = 3;
+        i = 0;
+        prt__fiv_cell_of(&grid, prt__vec3(s.occluders[i].position.x - s.positions[k].x,
+                                          s.occluders[i].position.y - s.positions[k].y, s.occluders[i].position.z), &cells);
+        s.corner[k] = (int)cells.at[0] % (FIV_SAMPLES - FIV_THETAS * FIV_PHIS - FIV_PHIS - 1);
+    }
+    return &s;
+}
+
+/* What lies between a receiver and occluder k. */
+static prt_vec3 fiv_between(const fiv_scene *s, int receiver, int k) {
+    prt_vec3 p = s->positions[receiver], o = s->occluders[k].position;
+    return prt__vec3(o.x - p.x, o.y - p.y, o.z - p.z);
+}
+
+static void fiv_each(const fiv_scene *s, int occluders, prt_rgb *out) {
+    int k;
+    for (k = 0; k < FIV_RECEIVERS; k++)
+        prt_fiv_shade(s->totals[k], s->positions[k], s->normals[k], occluders, s->occluders, 0, out + k);
+}
+
+/* The memory alone: the sum of the eight samples of each receiver. */
+static void fiv_touch(const fiv_scene *s, prt_real *out) {
+    static const int steps[8] = { 0, 1, FIV_PHIS, FIV_PHIS + 1, FIV_THETAS * FIV_PHIS, FIV_THETAS * FIV_PHIS + 1,
+                                  (FIV_THETAS + 1) * FIV_PHIS, (FIV_THETAS + 1) * FIV_PHIS + 1 };
+    int k, i, c;
+    for (k = 0; k < FIV_RECEIVERS; k++) {
+        prt_real sum[8] = { 0 };
+        for (i = 0; i < 8; i++) {
+            const prt_real *sample = &s->samples[s->corner[k] + steps[i]].r.x;
+            for (c = 0; c < 8; c++) sum[c] += sample[c];
+        }
+        memcpy(out + 8 * (k % 8), sum, sizeof sum);
+    }
+}
+#define FIV const fiv_scene *s = fiv_scene_of(data)
+
 /* The functions of each line ... */
 #define COUNTS(id, items_, flops_, reads_, writes_) \
     static int id##_items(int n) { (void)n; return items_; } \

@@ -93,6 +93,20 @@ EACH (ch_dot,       "ch_dot",   "prt_ch_dot",           LOW, 64,    OUT[0] = prt
 /* >>shade */
 BATCH(diffuse_n,    "diffuse_n", "prt_shade_diffuse_n", LOW, 1024,  prt_shade_diffuse_n(n, items, ROWS, F, (prt_rgb *)OUT), 6.0 * n * n, n * n, 3)
 
+/* >>fiv: an item is a receiver and an occluder; a lookup reads eight samples of nine. `bands` do not matter */
+#define FIV_READS (8 * 9)
+BATCH(fiv_shade_1,  "fiv_shade 1 occluder", "prt_fiv_shade_n", "0", FIV_RECEIVERS, FIV; prt_fiv_shade_n(FIV_RECEIVERS, s->totals, s->positions, s->normals, 1, s->occluders, 0, (prt_rgb *)OUT), 0, FIV_READS + 9, 3)
+BATCH(fiv_each_1,   "fiv_shade 1 occluder", "prt_fiv_shade, one by one", "0", FIV_RECEIVERS, FIV; fiv_each(s, 1, (prt_rgb *)OUT), 0, FIV_READS + 9, 3)
+BATCH(fiv_touch,    "fiv_shade 1 occluder", "the eight samples alone", "0", FIV_RECEIVERS, FIV; fiv_touch(s, OUT), 0, FIV_READS, 0)
+BATCH(fiv_shade_10, "fiv_shade 10 occluders", "prt_fiv_shade_n", "0", FIV_RECEIVERS * 10, FIV; prt_fiv_shade_n(FIV_RECEIVERS, s->totals, s->positions, s->normals, 10, s->occluders, 0, (prt_rgb *)OUT), 0, FIV_READS, 0.3)
+BATCH(fiv_plain_10, "fiv_shade 10 occluders", "without overlaps", "0", FIV_RECEIVERS * 10, FIV; prt_fiv_shade_n(FIV_RECEIVERS, s->totals, s->positions, s->normals, 10, s->occluders, PRT_FIV_NO_OVERLAP, (prt_rgb *)OUT), 0, FIV_READS, 0.3)
+BATCH(fiv_each_10,  "fiv_shade 10 occluders", "prt_fiv_shade, one by one", "0", FIV_RECEIVERS * 10, FIV; fiv_each(s, 10, (prt_rgb *)OUT), 0, FIV_READS, 0.3)
+BATCH(fiv_shade_60, "fiv_shade 60 occluders", "prt_fiv_shade_n", "0", FIV_RECEIVERS * 60, FIV; prt_fiv_shade_n(FIV_RECEIVERS, s->totals, s->positions, s->normals, 60, s->occluders, 0, (prt_rgb *)OUT), 0, FIV_READS, 0.05)
+BATCH(fiv_plain_60, "fiv_shade 60 occluders", "without overlaps", "0", FIV_RECEIVERS * 60, FIV; prt_fiv_shade_n(FIV_RECEIVERS, s->totals, s->positions, s->normals, 60, s->occluders, PRT_FIV_NO_OVERLAP, (prt_rgb *)OUT), 0, FIV_READS, 0.05)
+EACH (fiv_lookup,   "fiv_lookup", "prt_fiv_lookup",     "0", FIV_RECEIVERS, FIV; prt_fiv_lookup(&s->table, fiv_between(s, k, 0), (prt_fiv *)OUT), 0, FIV_READS, 9)
+EACH (fiv_half,     "fiv_lookup", "prt_fiv_packed_lookup, 16 bits", "0", FIV_RECEIVERS, FIV; prt_fiv_packed_lookup(&s->packed16, fiv_between(s, k, 0), (prt_fiv *)OUT), 0, FIV_READS * 2 / sizeof(prt_real), 9)
+EACH (fiv_byte,     "fiv_lookup", "prt_fiv_packed_lookup, 8 bits", "0", FIV_RECEIVERS, FIV; prt_fiv_packed_lookup(&s->packed8, fiv_between(s, k, 0), (prt_fiv *)OUT), 0, FIV_READS / sizeof(prt_real), 9)
+EACH (fiv_transfer, "fiv_lookup", "prt_fiv_transfer_lookup, 4 bands", "0", FIV_RECEIVERS, FIV; prt_fiv_transfer_lookup(&s->transfer, NULL, s->vectors, fiv_between(s, k, 0), (prt_fiv *)OUT), 0, 8 * FIV_HIDDEN, 9)
 /* >>vo: "bands" is the number of lights; five opaque occluders a point. Operations are the additions, multiplications and
    divisions of the vector code: for each point, occluder, light, and both; comparisons, masks and exponents are not counted */
 #define LIT "1,2,4,8,16,32"
