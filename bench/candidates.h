@@ -107,6 +107,7 @@ EACH (fiv_lookup,   "fiv_lookup", "prt_fiv_lookup",     "0", FIV_RECEIVERS, FIV;
 EACH (fiv_half,     "fiv_lookup", "prt_fiv_packed_lookup, 16 bits", "0", FIV_RECEIVERS, FIV; prt_fiv_packed_lookup(&s->packed16, fiv_between(s, k, 0), (prt_fiv *)OUT), 0, FIV_READS * 2 / sizeof(prt_real), 9)
 EACH (fiv_byte,     "fiv_lookup", "prt_fiv_packed_lookup, 8 bits", "0", FIV_RECEIVERS, FIV; prt_fiv_packed_lookup(&s->packed8, fiv_between(s, k, 0), (prt_fiv *)OUT), 0, FIV_READS / sizeof(prt_real), 9)
 EACH (fiv_transfer, "fiv_lookup", "prt_fiv_transfer_lookup, 4 bands", "0", FIV_RECEIVERS, FIV; prt_fiv_transfer_lookup(&s->transfer, NULL, s->vectors, fiv_between(s, k, 0), (prt_fiv *)OUT), 0, 8 * FIV_HIDDEN, 9)
+
 /* >>vo: "bands" is the number of lights; five opaque occluders a point. Operations are the additions, multiplications and
    divisions of the vector code: for each point, occluder, light, and both; comparisons, masks and exponents are not counted */
 #define LIT "1,2,4,8,16,32"
