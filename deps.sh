@@ -88,6 +88,7 @@ want "test bench" valgrind                 hdr valgrind/callgrind.h
 want "bench"      gnuplot-nox              cmd gnuplot
 
 want "test"       glslang-tools            cmd glslangValidator
+want "test"       glslc                    cmd glslc
 want "test"       spirv-tools              cmd spirv-val
 want "test"       spirv-cross              cmd spirv-cross
 want "test"       npm                      cmd npm

@@ -359,13 +359,20 @@ static int have_opengl, have_vulkan;
 static osmesa_context opengl;
 static why reason;                                     /* of the last failure */
 
+static int there(const char *program, const char *and) {
+    char command[128];
+    snprintf(command, sizeof command, "command -v %s >/dev/null && command -v %s >/dev/null", program, and);
+    return system(command) == 0;
+}
+
 /* Why this machine cannot run the target; NULL: it can, and what it needs is started */
 static const char *cannot_run(const target *t) {
     int opened = t->route == BY_FRAGMENT || t->route == BY_COMPUTE;
-    if (t->route == BY_WEBGPU && system("command -v chromium node >/dev/null")) return "chromium or node is not there";
+    if (t->route == BY_WEBGPU && !there("chromium", "node")) return "chromium or node is not there";
     if (t->route == BY_SPIRV && !strcmp(t->language, "wgsl") && !naga_modules) return "naga is not there";
-    if ((t->route == BY_SPIRV || t->route == BY_MSL) && system("command -v glslangValidator spirv-val spirv-cross >/dev/null"))
-        return "glslangValidator, spirv-val or spirv-cross is not there";
+    if ((t->route == BY_SPIRV || t->route == BY_MSL) &&
+        (!there("spirv-val", "spirv-cross") || !(there("glslc", "true") || there("glslangValidator", "true"))))
+        return "glslc (or glslangValidator), spirv-val or spirv-cross is not there";
     if (t->route == BY_C && t->precision != PRECISION_FLOAT &&
         system("echo '_Float16 x;' | cc -x c -fsyntax-only - 2>/dev/null")) return "the C compiler has no _Float16";
     if (t->route == BY_SPIRV) {
@@ -420,19 +427,26 @@ static int shell(const char *format, ...) {
     return system(command) == 0 ? 0 : why_set(&reason, "this command failed: %.600s", command);
 }
 
+/* GLSL and HLSL to SPIR-V: by glslc, which takes all files at once, or by glslangValidator, both glslang's front end */
+static int compile_spirv(const target *t) {
+    int hlsl = !strcmp(t->language, "hlsl"), exact = t->precision == PRECISION_FLOAT16;
+    const char *extension = hlsl ? "hlsl" : "comp";
+    if (there("glslc", "true"))
+        return shell("cd %s && glslc -c --target-env=vulkan1.0 %s%s*.%s && for f in *.comp.spv; do [ ! -e $f ] || "
+                     "mv $f ${f%%%%.*}.spv; done", folder,
+                     hlsl ? "-x hlsl -fshader-stage=comp -fentry-point=main " : "", hlsl && exact ? "-fhlsl-16bit-types " : "", extension);
+    return shell("cd %s && ls *.%s | xargs -P2 -I@ sh -c 'glslangValidator %s%s-V -S comp -e main -o $(basename @ .%s).spv @ >@.log || "
+                 "{ cat @.log; exit 255; }'", folder, extension, hlsl ? "-D " : "", hlsl && exact ? "--hlsl-enable-16bit-types " : "",
+                 extension);
+}
+
 /* Sources to SPIR-V, N.spv, and through the validator */
 static int prepare_spirv(const target *t) {
-    static const char each[] = "| xargs -P2 -I@ sh -c '";
     int bad;
-    if (!strcmp(t->language, "wgsl"))
-        bad = shell("cd %s && node %s/wgsl_to_spirv.mjs %s *.wgsl", folder, PRT_SHADER_TESTS, naga_modules);
-    else
-        bad = shell("cd %s && ls *.%s %sglslangValidator %s-V -S comp -e main -o $(basename @ .%s).spv @ >@.log || { cat @.log; exit 255; }'",
-                    folder, !strcmp(t->language, "glsl") ? "comp" : "hlsl", each,
-                    strcmp(t->language, "hlsl") ? "" : t->precision == PRECISION_FLOAT16 ? "-D --hlsl-enable-16bit-types " : "-D ",
-                    !strcmp(t->language, "glsl") ? "comp" : "hlsl");
+    if (strcmp(t->language, "wgsl")) bad = compile_spirv(t);
+    else bad = shell("cd %s && node %s/wgsl_to_spirv.mjs %s *.wgsl", folder, PRT_SHADER_TESTS, naga_modules);
     if (bad) return bad;
-    return shell("cd %s && ls *.spv %sspirv-val --target-env vulkan1.2 @ || { echo @; exit 255; }'", folder, each);
+    return shell("cd %s && ls *.spv | xargs -P2 -I@ sh -c 'spirv-val --target-env vulkan1.2 @ || { echo @; exit 255; }'", folder);
 }
 
 static int compile_cxx(void) {
@@ -758,9 +772,9 @@ static int write_page(const char *path) {
     fprintf(page,
         "How each was run. c: the C compiler (%s). metal: as C++ through a shim of `<metal_stdlib>`; no Metal compiler was at\n"
         "hand, so Metal's own rules were not checked. glsl330: fragment shader, glsl430: compute shader, by OSMesa (llvmpipe).\n"
-        "glsl450, hlsl: by glslangValidator, wgsl: by naga to SPIR-V, which spirv-val passed and %s ran%s.\n"
+        "glsl450, hlsl: by glslang (%s), wgsl: by naga to SPIR-V, which spirv-val passed and %s ran%s.\n"
         "webgpu: WGSL in headless Chromium%s%s. msl: what spirv-cross makes of the SPIR-V of glsl450, through the shim.\n\n",
-        __VERSION__, have_vulkan ? vulkan_name() : "OpenGL", have_vulkan ? " by Vulkan" : ", after spirv-cross",
+        __VERSION__, there("glslc", "true") ? "glslc" : "glslangValidator", have_vulkan ? vulkan_name() : "OpenGL", have_vulkan ? " by Vulkan" : ", after spirv-cross",
         *webgpu_name ? ", " : "", webgpu_name);
     print_page_table(page, 0);
     fprintf(page, "\n## Half precision\n\n"
