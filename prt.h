@@ -3775,7 +3775,7 @@ static prt__rotate_kernel *const prt__rotate_kernels[PRT__ROTATE_KERNELS - 1] = 
 };
 
 PRT__STATIC prt_result prt__rotate_plain(int bands, const prt_real *r, const prt_real *f, prt_real *out) {
-    prt_real copy[PRT__ROTATE_KERNELS * PRT__ROTATE_KERNELS], minus[9], turn[8];
+    prt_real copy[PRT__ROTATE_KERNELS * PRT__ROTATE_KERNELS], minus[9], turn[8] = { 0 };
     const prt_real *proper = r;
     if (!prt__rotation_ok(r)) return PRT_ERR_ROTATION;
     if (bands > 3 && prt__determinant(r) < 0) proper = prt__negated(r, minus);

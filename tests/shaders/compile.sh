@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# compile.sh PRT_CODEGEN: what it prints compiles in every dialect that it is meant for, at both precisions; bad requests
+# compile.sh PRT_CODEGEN [NAGA_MODULES]: what it prints compiles in every dialect that it is meant for, at both precisions; bad requests
 # are refused with one line. TAP on standard output.
 set -u
-codegen=$1
+codegen=$1 naga=${2:-}
+here=$(cd "$(dirname "$0")" && pwd)
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 count=0 failed=0
@@ -50,6 +51,15 @@ for bands in 1 4 10; do
             -Wno-unused-function -c -o "$folder/p.o" "$folder/p.c"
     done
 done
+if [ -n "$naga" ]; then
+    for bands in 1 4 10; do
+        "$codegen" --lang wgsl --emit all --bands $bands -o "$folder/p$bands.wgsl" || exit 1
+        "$codegen" --lang wgsl --emit all --bands $bands --precision half -o "$folder/h$bands.wgsl" || exit 1
+    done
+    check "WGSL, both precisions, 1, 4 and 10 bands" node "$here/wgsl_to_spirv.mjs" "$naga" "$folder"/*.wgsl
+else
+    count=$((count + 1)); echo "ok $count - WGSL # SKIP node or naga-wasm is not there"
+fi
 check "a range of bands" "$codegen" --lang wgsl --emit sh_eval,sh_at --bands 2-5
 check "a prefix" bash -c "'$codegen' --prefix my_ --emit sh_eval | grep -q 'void my_sh_eval('"
 refused "unknown kernel"         --lang glsl --emit sh_evil
