@@ -2769,6 +2769,7 @@ PRT__STATIC double prt__dering_strength(int bands, const prt_real *f) {
     for (i = 1; i < PRT_SH_COUNT(bands); i++) empty &= f[i] == 0;
     if (f[0] < 0 || (f[0] == 0 && !empty)) return 2;
     if (empty) return 0;
+    weight[0] = 1;                     /* or gcc -O3 thinks that the next line may leave it empty */
     prt__window_weights(PRT_WINDOW_POSITIVE, bands, bands, weight);
     prt__scale_bands(bands, weight, f, smooth);
     s = prt__dering_blend(bands, f, smooth, scratch);
@@ -3780,6 +3781,7 @@ PRT__STATIC prt_result prt__rotate_plain(int bands, const prt_real *r, const prt
     if (!prt__rotation_ok(r)) return PRT_ERR_ROTATION;
     if (bands > 3 && prt__determinant(r) < 0) proper = prt__negated(r, minus);
     if (bands > 3) prt__euler(proper, turn);
+    else turn[0] = 0;                                                        /* not read; gcc -O3 does not see that */
     memcpy(copy, f, (size_t)PRT_SH_COUNT(bands) * sizeof *f);               /* so that out may be f */
     if (bands == 1) out[0] = f[0];
     else prt__rotate_kernels[bands - 2](proper, turn, copy, out);
