@@ -1,10 +1,12 @@
-/* fiv_scene: bodies that move over a ground and over each other under a photographed environment, shaded from fullsphere
-   irradiance vectors, ray traced, and the difference, side by side.
+/* fiv_scene: bodies that move and turn over a ground and over each other under a photographed environment, shaded from
+   fullsphere irradiance vectors, ray traced, and the difference, side by side.
 
-   Tables are baked once. Each frame is shaded by lookups in them, in milliseconds, and by rays, in seconds; both use the
-   same light, 6 x N x N texels of the environment, whose lower half is the light that the open ground reflects. Shows
-   DIR/fiv-scene-NNN.png, DIR/fiv-scene.csv with a line a frame, and DIR/fiv-scene.webp where img2webp (Debian: webp) is
-   installed. An interrupted run keeps its frames; --resume goes on.
+   Each mesh is baked once, in the form that takes any light of some bands (prt_fiv_transfer). Each frame turns the light
+   into the frame of each body, makes the body's table of vectors of it, and shades by lookups, in milliseconds; beside
+   it rays take seconds. They have the environment as 6 x 32 x 32 texels, whose lower half is the light that the open
+   ground reflects; the vectors have its first bands. Writes DIR/fiv-scene-NNN.png, DIR/fiv-scene.csv with a line a
+   frame, and DIR/fiv-scene.webp where img2webp (Debian: webp) is installed. Tables stay in DIR for the next run. An
+   interrupted run keeps its frames; --resume goes on.
 
      NRMSE   root mean square difference of what the camera sees (irradiance times albedo over pi, samples on bodies and
              ground), all colours, divided by the range of the truth. The truth's noise is taken out of it by two
@@ -37,9 +39,10 @@ static const char usage[] =
     "usage: fiv_scene [environment.hdr] [options]\n"
     "  environment.hdr  equirectangular .hdr or .pfm                  [examples/data/courtyard.hdr]\n"
     "  --meshes A B     what moves: two of the first, one of the second [Debian's bunny and horse]\n"
-    "  --frames N       of the loop                                   [36]\n"
+    "  --frames N       of the loop                                   [24]\n"
     "  --size N         width of one picture of three, in pixels      [320]\n"
     "  --rays N         shadow rays a sample and half                 [64]\n"
+    "  --bands N        of the light that the vectors see              [6]\n"
     "  --threads N                                                    [all processors]\n"
     "  --out DIR        where frames, figures and animation go        [out]\n"
     "  --resume         keep the frames that are there\n"
@@ -48,18 +51,21 @@ static const char usage[] =
 
 typedef struct options {
     const char *environment, *meshes[SHAPES], *out;
-    int frames, size, rays, threads, resume, quick, help;
+    int frames, size, rays, bands, threads, resume, quick, help;
 } options;
 
 typedef struct show {
     options    o;
-    cube_light light;
+    cube_light light, sky;             /* what shines, and the same finer, to be looked at */
     shape      shapes[SHAPES];
-    fiv_baked  tables[SHAPES], self[SHAPES];
+    fiv_baked  tables[SHAPES][2];      /* as an occluder, and for its own shadow */
+    prt_real   *lit;                   /* the light, three planes of bands^2 */
     body       bodies[BODIES];
     stage      stage;
     fiv_receive receive;
-    const prt_fiv_table *body_tables[BODIES], *body_self[BODIES];
+    prt_fiv    *samples[BODIES][2];    /* this frame's tables, in the frames of the bodies */
+    prt_fiv_table body_tables[BODIES][2];
+    const prt_fiv_table *occluders[BODIES], *self[BODIES];
     receivers  seen;
     picture    fiv, truth[2], mean;
     canvas     sheet;
@@ -88,11 +94,19 @@ static prt_vec3 place_of(int k, double t) {
     return vec(-1.4 * sin(2 * pi * t), 0.5 * cos(2 * pi * t), 2.1 + 0.3 * wave(2 * t));
 }
 
-static int pose(show *s, int frame, why *w) {
+/* The hoppers look where they go; the third tumbles. */
+static void turn_of(int k, double t, prt_real r[9]) {
+    if (k < 2) rotation_about(vec(0, 0, 1), 2 * pi * (t + 0.5 * k), r);
+    else rotation_about(vec_unit(vec(0.6, 0.2, 1), vec(0, 0, 1)), 2 * pi * t, r);
+}
+
+static void pose(show *s, int frame) {
     double t = (double)frame / s->o.frames;
     int k;
-    for (k = 0; k < BODIES; k++) s->bodies[k].position = place_of(k, t);
-    return stage_move(&s->stage, w);
+    for (k = 0; k < BODIES; k++) {
+        s->bodies[k].position = place_of(k, t);
+        turn_of(k, t, s->bodies[k].rotation);
+    }
 }
 
 /* ---- what is made once ---- */
@@ -101,45 +115,59 @@ static int make_light(show *s, why *w) {
     image map;
     int failed;
     if (image_load_environment(s->o.environment, &map, w)) return -1;
-    failed = cube_light_from_image(&map, s->o.quick ? 8 : 32, &s->light, w);
+    failed = cube_light_from_image(&map, s->o.quick ? 8 : 32, &s->light, w) ||
+             cube_light_from_image(&map, s->o.quick ? 8 : 128, &s->sky, w);
     image_free(&map);
     if (failed) return -1;
     cube_light_set_ground(&s->light, s->stage.ground_albedo);
+    cube_light_set_ground(&s->sky, s->stage.ground_albedo);
+    s->lit = (prt_real *)malloc(3 * (size_t)PRT_SH_COUNT(s->o.bands) * sizeof *s->lit);
+    if (!s->lit) return why_set(w, "out of memory");
+    prt_sh_project_cubemap_rgb(s->o.bands, s->light.size, s->light.faces, s->lit);
     return cube_light_ready(&s->light, w);
 }
 
-static int bake_shape(show *s, int k, int self, fiv_baked *to, why *w) {
+static int bake_shape(show *s, int k, int self, why *w) {
     char what[100];
     fiv_bake_job job;
     memset(&job, 0, sizeof job);
     job.shape = &s->shapes[k];
-    job.light = &s->light;
-    job.grid.phi = s->o.quick ? 12 : self ? 32 : 96;
-    job.grid.theta = s->o.quick ? 7 : self ? 17 : 49;
-    job.grid.rho = s->o.quick ? 6 : self ? 16 : 30;
+    job.bands = s->o.bands;
+    job.rays = s->o.quick ? 64 : 0;
+    job.grid.phi = s->o.quick ? 12 : 64;
+    job.grid.theta = s->o.quick ? 7 : 33;
+    job.grid.rho = s->o.quick ? 6 : 24;
     job.grid.nearest = (prt_real)(self ? 0.15 : 0.5);
     job.grid.farthest = self ? 1 : 8;
     job.mark_inside = self;
+    job.keep = s->o.out;
     job.threads = s->o.threads;
     job.stop = &interrupted;
     snprintf(what, sizeof what, "fiv_scene: %s%s", job.shape->name, self ? ", its own shadow" : "");
     job.what = what;
-    return fiv_bake_run(&job, to, w);
+    return fiv_bake_run(&job, &s->tables[k][self], w);
 }
 
-static void dress(show *s) {
+static int dress(show *s, why *w) {
     static const double albedo[BODIES][3] = { { 0.8, 0.62, 0.45 }, { 0.5, 0.62, 0.8 }, { 0.75, 0.75, 0.75 } };
-    int k;
+    int k, self;
     for (k = 0; k < BODIES; k++) {
         body *b = &s->bodies[k];
         b->shape = &s->shapes[shape_of[k]];
-        b->rotation[0] = b->rotation[4] = b->rotation[8] = 1;
         b->albedo = rgb(albedo[k][0], albedo[k][1], albedo[k][2]);
-        s->body_tables[k] = &s->tables[shape_of[k]].table;
-        s->body_self[k] = &s->self[shape_of[k]].table;
+        for (self = 0; self < 2; self++) {
+            const fiv_baked *from = &s->tables[shape_of[k]][self];
+            s->samples[k][self] = (prt_fiv *)malloc((size_t)prt_bake_fiv_count(&from->desc) * sizeof(prt_fiv));
+            if (!s->samples[k][self]) return why_set(w, "out of memory");
+            s->body_tables[k][self] = prt_fiv_table_of(&from->desc, s->samples[k][self], from->inside);
+        }
+        s->occluders[k] = &s->body_tables[k][0];
+        s->self[k] = &s->body_tables[k][1];
     }
     s->stage.body_count = BODIES;
     s->stage.bodies = s->bodies;
+    pose(s, 0);
+    return 0;
 }
 
 static int prepare_receive(show *s, why *w) {
@@ -149,8 +177,8 @@ static int prepare_receive(show *s, why *w) {
     prt_result result;
     f->stage = &s->stage;
     f->receivers = &s->seen;
-    f->tables = s->body_tables;
-    f->self = s->body_self;
+    f->tables = s->occluders;
+    f->self = s->self;
     f->threads = s->o.threads;
     f->stop = &interrupted;
     fiv_env_of(&s->light, &env);
@@ -175,21 +203,26 @@ static int prepare(show *s, why *w) {
     if (make_light(s, w) || make_pictures(s, w)) return -1;
     for (k = 0; k < SHAPES; k++) {
         if (shape_load(s->o.meshes[k], (prt_real)radius_of[k], k ? &s->shapes[0] : NULL, &s->shapes[k], w)) return -1;
-        if (bake_shape(s, k, 0, &s->tables[k], w) || bake_shape(s, k, 1, &s->self[k], w)) return -1;
+        if (bake_shape(s, k, 0, w) || bake_shape(s, k, 1, w)) return -1;
     }
-    dress(s);
-    return prepare_receive(s, w) || stage_create(&s->stage, w) ? -1 : 0;
+    return dress(s, w) || prepare_receive(s, w) || stage_create(&s->stage, w) ? -1 : 0;
 }
 
 static void show_free(show *s) {
     int k;
     for (k = 0; k < SHAPES; k++) {
-        fiv_baked_free(&s->tables[k]);
-        fiv_baked_free(&s->self[k]);
+        fiv_baked_free(&s->tables[k][0]);
+        fiv_baked_free(&s->tables[k][1]);
     }
+    for (k = 0; k < BODIES; k++) {
+        free(s->samples[k][0]);
+        free(s->samples[k][1]);
+    }
+    free(s->lit);
     stage_free(&s->stage);
     for (k = SHAPES - 1; k >= 0; k--) shape_free(&s->shapes[k]);
     cube_light_free(&s->light);
+    cube_light_free(&s->sky);
     receivers_free(&s->seen);
     picture_free(&s->fiv);
     picture_free(&s->truth[0]);
@@ -202,7 +235,7 @@ static void show_free(show *s) {
 
 /* ---- a frame ---- */
 
-typedef struct figures { double nrmse, noise, fiv_ms, truth_s; } figures;
+typedef struct figures { double nrmse, noise, light_ms, shade_ms, truth_s; } figures;
 
 static int trace_frame(show *s, int frame, why *w) {
     truth t;
@@ -224,19 +257,33 @@ static void average(const picture *a, const picture *b, picture *mean) {
     for (k = 0; k < count; k++) mean->rgba[k] = 0.5f * (a->rgba[k] + b->rgba[k]);
 }
 
+/* The vectors that each body hides in this frame. */
+static int light_tables(show *s, why *w) {
+    int k, self;
+    for (k = 0; k < BODIES; k++)
+        for (self = 0; self < 2; self++)
+            if (fiv_baked_light(&s->tables[shape_of[k]][self], s->lit, s->bodies[k].rotation, s->samples[k][self], w))
+                return -1;
+    return 0;
+}
+
 static int shade_frame(show *s, int frame, figures *f, why *w) {
-    camera eye = camera_orbit(vec(0, 0, 0.95), 8.6, -1.2, 0.42, 0.5);
-    double range;
+    camera eye = camera_orbit(vec(0, 0, 1.15), 8.2, -1.2, 0.24, 0.5);
+    double range, start;
     int k;
-    if (pose(s, frame, w) || receivers_look(&s->stage, &eye, &s->seen)) return why_set(w, "the scene cannot be traced");
-    f->fiv_ms = processor_seconds();
+    pose(s, frame);
+    if (stage_move(&s->stage, w) || receivers_look(&s->stage, &eye, &s->seen)) return why_set(w, "the scene cannot be traced");
+    start = processor_seconds();
+    if (light_tables(s, w)) return -1;
+    f->light_ms = 1000 * (processor_seconds() - start);
+    start = processor_seconds();
     if (fiv_receive_run(&s->receive, &s->fiv, w)) return -1;
-    f->truth_s = processor_seconds();
-    f->fiv_ms = 1000 * (f->truth_s - f->fiv_ms);
+    f->shade_ms = 1000 * (processor_seconds() - start);
+    start = processor_seconds();
     if (trace_frame(s, frame, w)) return -1;
-    f->truth_s = processor_seconds() - f->truth_s;
-    stage_expose(&s->stage, &s->seen, &s->light, &s->fiv);
-    for (k = 0; k < 2; k++) stage_expose(&s->stage, &s->seen, &s->light, &s->truth[k]);
+    f->truth_s = processor_seconds() - start;
+    stage_expose(&s->stage, &s->seen, &s->sky, &s->fiv);
+    for (k = 0; k < 2; k++) stage_expose(&s->stage, &s->seen, &s->sky, &s->truth[k]);
     average(&s->truth[0], &s->truth[1], &s->mean);
     range = picture_range(&s->mean);
     f->nrmse = picture_rms(&s->fiv, &s->truth[0], &s->truth[1], NULL) / range;
@@ -259,7 +306,7 @@ static void draw_sheet(show *s, const figures *f) {
     canvas_put_picture(&s->sheet, s->o.size + GAP, HEAD, &s->mean, 2, s->exposure);
     canvas_put_difference(&s->sheet, 2 * (s->o.size + GAP), HEAD, &s->fiv, &s->mean, 2, picture_range(&s->mean), 5);
     for (k = 0; k < 3; k++) centred(s, &s->bold, 16, k, HEAD - 8, 235, heads[k]);
-    snprintf(line, sizeof line, "%.0f ms of one core", f->fiv_ms);
+    snprintf(line, sizeof line, "%d bands, %.0f + %.0f ms of one core", s->o.bands, f->light_ms, f->shade_ms);
     centred(s, &s->regular, 14, 0, below, 190, line);
     snprintf(line, sizeof line, "%.1f s of one core, %d rays a sample", f->truth_s, 2 * s->o.rays);
     centred(s, &s->regular, 14, 1, below, 190, line);
@@ -273,12 +320,12 @@ static void frame_path(const options *o, int frame, char *path, size_t size) {
 
 static int make_frame(show *s, int frame, why *w) {
     char path[PATH_MAX];
-    figures f = { 0, 0, 0, 0 };
+    figures f = { 0, 0, 0, 0, 0 };
     if (shade_frame(s, frame, &f, w)) return -1;
     draw_sheet(s, &f);
     frame_path(&s->o, frame, path, sizeof path);
     if (canvas_write_png(&s->sheet, path, w)) return -1;
-    fprintf(s->csv, "%d,%.5f,%.5f,%.1f,%.2f\n", frame, f.nrmse, f.noise, f.fiv_ms, f.truth_s);
+    fprintf(s->csv, "%d,%.5f,%.5f,%.1f,%.1f,%.2f\n", frame, f.nrmse, f.noise, f.light_ms, f.shade_ms, f.truth_s);
     return fflush(s->csv) ? why_set(w, "%s/fiv-scene.csv: cannot be written: %s", s->o.out, strerror(errno)) : 0;
 }
 
@@ -298,7 +345,7 @@ static int make_frames(show *s, why *w) {
     snprintf(path, sizeof path, "%s/fiv-scene.csv", s->o.out);
     s->csv = fopen(path, kept ? "a" : "w");
     if (!s->csv) return why_set(w, "%s: cannot be created: %s", path, strerror(errno));
-    if (!kept) fprintf(s->csv, "frame,nrmse,noise,vectors_ms,traced_s\n");
+    if (!kept) fprintf(s->csv, "frame,nrmse,noise,light_ms,shade_ms,traced_s\n");
     progress_start(&p, "fiv_scene: frames", s->o.frames, kept, "frames", 1);
     for (frame = 0; frame < s->o.frames && !interrupted; frame++) {
         frame_path(&s->o, frame, path, sizeof path);
@@ -327,15 +374,15 @@ static int run_program(char **words) {
 }
 
 static int encode(const options *o, why *w) {
-    static char lossy[] = "-lossy", quality[] = "-q", forty[] = "40", duration[] = "-d", ms[] = "83", to[] = "-o";
-    static char mixed[] = "-min_size", program[] = "img2webp";
+    static char lossy[] = "-lossy", quality[] = "-q", forty[] = "40", duration[] = "-d", ms[] = "100", to[] = "-o";
+    static char smallest[] = "-min_size", program[] = "img2webp";
     char animation[PATH_MAX], **words = (char **)calloc((size_t)o->frames + 12, sizeof *words);
     char *paths = (char *)malloc((size_t)o->frames * PATH_MAX);
     int frame, n = 0, status = -1;
     if (words && paths) {
         snprintf(animation, sizeof animation, "%s/fiv-scene.webp", o->out);
         words[n++] = program;
-        words[n++] = mixed;
+        words[n++] = smallest;
         words[n++] = lossy; words[n++] = quality; words[n++] = forty; words[n++] = duration; words[n++] = ms;
         for (frame = 0; frame < o->frames; frame++) {
             words[n] = paths + (size_t)frame * PATH_MAX;
@@ -378,15 +425,16 @@ static int parse(int count, char **words, options *o, why *w) {
     o->meshes[0] = "/usr/share/glmark2/models/bunny.obj";
     o->meshes[1] = "/usr/share/glmark2/models/horse.3ds";
     o->out = "out";
-    o->frames = 36;
+    o->frames = 24;
     o->size = 320;
     o->rays = 64;
+    o->bands = 6;
     o->threads = processor_count();
     for (i = 1; i < count; i++) {
         const char *word = words[i], *next = i + 1 < count ? words[i + 1] : NULL;
         struct { const char *name; int low, high; int *value; } numbers[] = {
             { "--frames", 1, 999, &o->frames }, { "--size", 32, 2048, &o->size }, { "--rays", 1, 65536, &o->rays },
-            { "--threads", 1, 256, &o->threads }
+            { "--bands", 1, 16, &o->bands }, { "--threads", 1, 256, &o->threads }
         };
         struct { const char *name; int *value; } switches[] = {
             { "--resume", &o->resume }, { "--quick", &o->quick }, { "--help", &o->help }

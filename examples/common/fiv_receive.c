@@ -16,22 +16,6 @@ typedef struct receive_job {
     prt_fiv_occluder  occluders[MOST_BODIES];    /* where none is */
 } receive_job;
 
-static prt_vec3 turn(const prt_real r[9], prt_vec3 v) {
-    prt_vec3 out;
-    out.x = r[0] * v.x + r[1] * v.y + r[2] * v.z;
-    out.y = r[3] * v.x + r[4] * v.y + r[5] * v.z;
-    out.z = r[6] * v.x + r[7] * v.y + r[8] * v.z;
-    return out;
-}
-
-static prt_vec3 turn_back(const prt_real r[9], prt_vec3 v) {
-    prt_vec3 out;
-    out.x = r[0] * v.x + r[3] * v.y + r[6] * v.z;
-    out.y = r[1] * v.x + r[4] * v.y + r[7] * v.z;
-    out.z = r[2] * v.x + r[5] * v.y + r[8] * v.z;
-    return out;
-}
-
 static prt_real positive(prt_real v) { return v > 0 ? v : 0; }
 
 /* What body k hides, looked up in its own frame. */
@@ -40,10 +24,10 @@ static prt_result look_up(const fiv_receive *f, int k, const prt_point *at, prt_
     prt_result result;
     hidden->to_centre = vec_add(b->position, -1, at->position);
     hidden->radius = f->tables[k]->radius;
-    result = prt_fiv_lookup(f->tables[k], turn_back(b->rotation, hidden->to_centre), &hidden->fiv);
-    hidden->fiv.r = turn(b->rotation, hidden->fiv.r);
-    hidden->fiv.g = turn(b->rotation, hidden->fiv.g);
-    hidden->fiv.b = turn(b->rotation, hidden->fiv.b);
+    result = prt_fiv_lookup(f->tables[k], vec_turn_back(b->rotation, hidden->to_centre), &hidden->fiv);
+    hidden->fiv.r = vec_turn(b->rotation, hidden->fiv.r);
+    hidden->fiv.g = vec_turn(b->rotation, hidden->fiv.g);
+    hidden->fiv.b = vec_turn(b->rotation, hidden->fiv.b);
     return result;
 }
 
@@ -63,11 +47,11 @@ static prt_rgb shade_plainly(prt_rgb total, prt_vec3 n, int count, const prt_fiv
 static prt_result shade_self(const fiv_receive *f, int own, const prt_point *at, prt_rgb *out) {
     const body *b = f->stage->bodies + own;
     prt_fiv environment;
-    environment.r = turn_back(b->rotation, f->environment.r);
-    environment.g = turn_back(b->rotation, f->environment.g);
-    environment.b = turn_back(b->rotation, f->environment.b);
-    return prt_fiv_self(&environment, f->self[own], turn_back(b->rotation, vec_add(at->position, -1, b->position)),
-                        turn_back(b->rotation, at->normal), out);
+    environment.r = vec_turn_back(b->rotation, f->environment.r);
+    environment.g = vec_turn_back(b->rotation, f->environment.g);
+    environment.b = vec_turn_back(b->rotation, f->environment.b);
+    return prt_fiv_self(&environment, f->self[own], vec_turn_back(b->rotation, vec_add(at->position, -1, b->position)),
+                        vec_turn_back(b->rotation, at->normal), out);
 }
 
 /* A body's own shadow first, then what the others take from the rest. */

@@ -44,6 +44,25 @@ int shape_load(const char *path, prt_real radius, const shape *beside, shape *s,
     return embree_tracer_add(&s->tracer, &s->mesh, 0, w) || embree_tracer_build(&s->tracer, w) ? -1 : 0;
 }
 
+int shape_turned(const shape *from, const prt_real rotation[9], shape *s, why *w) {
+    const mesh *m = &from->mesh;
+    size_t points = (size_t)m->point_count * sizeof *m->points;
+    size_t triangles = 3 * (size_t)m->triangle_count * sizeof *m->triangles;
+    int k;
+    *s = *from;
+    memset(&s->tracer, 0, sizeof s->tracer);
+    s->mesh.points = (prt_point *)malloc(points);
+    s->mesh.triangles = (uint32_t *)malloc(triangles);
+    if (!s->mesh.points || !s->mesh.triangles) return why_set(w, "out of memory for another %s", from->name);
+    memcpy(s->mesh.triangles, m->triangles, triangles);
+    for (k = 0; k < m->point_count; k++) {
+        s->mesh.points[k].position = vec_turn(rotation, m->points[k].position);
+        s->mesh.points[k].normal = vec_turn(rotation, m->points[k].normal);
+    }
+    return embree_tracer_create_beside(&from->tracer, &s->tracer, w) || embree_tracer_add(&s->tracer, &s->mesh, 0, w) ||
+           embree_tracer_build(&s->tracer, w) ? -1 : 0;
+}
+
 void shape_free(shape *s) {
     embree_tracer_destroy(&s->tracer);
     mesh_free(&s->mesh);
@@ -93,14 +112,11 @@ static prt_vec3 normal_at(const body *b, const prt_hit *hit) {
     const mesh *m = &b->shape->mesh;
     const uint32_t *corner = m->triangles + 3 * (size_t)hit->primitive;
     prt_real weight[3];
-    prt_vec3 n = { 0, 0, 0 }, world;
+    prt_vec3 n = { 0, 0, 0 };
     int k;
     weight[0] = 1 - hit->u - hit->v; weight[1] = hit->u; weight[2] = hit->v;
     for (k = 0; k < 3; k++) n = vec_add(n, weight[k], m->points[corner[k]].normal);
-    world.x = b->rotation[0] * n.x + b->rotation[1] * n.y + b->rotation[2] * n.z;
-    world.y = b->rotation[3] * n.x + b->rotation[4] * n.y + b->rotation[5] * n.z;
-    world.z = b->rotation[6] * n.x + b->rotation[7] * n.y + b->rotation[8] * n.z;
-    return vec_unit(world, hit->normal);
+    return vec_unit(vec_turn(b->rotation, n), hit->normal);
 }
 
 static void set_ground(prt_point *p, int *which, prt_vec3 place) {
@@ -298,9 +314,11 @@ static int begin(void *user, void **own) {
 static int trace_rows(void *user, void *own, int first, int count) {
     const truth *t = (const truth *)user;
     size_t width = (size_t)t->receivers->width, k;
-    int failed = 0;
-    for (k = (size_t)first * width; k < (size_t)(first + count) * width && !failed; k++)
+    int failed = 0, half;
+    for (k = (size_t)first * width; k < (size_t)(first + count) * width && !failed; k++) {
+        for (half = 0; half < 2 && t->halves[half]; half++) memset(t->halves[half]->rgba + 4 * k, 0, 4 * sizeof(float));
         if (t->receivers->body[k] >= STAGE_GROUND) failed = trace_receiver((queue *)own, k);
+    }
     return failed;
 }
 

@@ -14,6 +14,8 @@ typedef struct shape { char name[32]; mesh mesh; embree_tracer tracer; prt_real 
 
 /* A .3ds file is taken as z-down, as glmark2's are, others as y-up. beside: a shape of the same stage, loaded earlier, or NULL. */
 int  shape_load(const char *path, prt_real radius, const shape *beside, shape *s, why *w);
+/* The same shape turned about its centre for good. */
+int  shape_turned(const shape *from, const prt_real rotation[9], shape *s, why *w);
 void shape_free(shape *s);
 
 typedef struct body {

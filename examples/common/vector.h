@@ -45,6 +45,25 @@ static inline prt_vec3 turn_to(prt_vec3 axis, prt_vec3 v) {
     return vec_unit(vec_add(out, v.z, axis), axis);
 }
 
+/* r v for a row-major rotation r. */
+static inline prt_vec3 vec_turn(const prt_real r[9], prt_vec3 v) {
+    return vec((double)(r[0] * v.x + r[1] * v.y + r[2] * v.z), (double)(r[3] * v.x + r[4] * v.y + r[5] * v.z),
+               (double)(r[6] * v.x + r[7] * v.y + r[8] * v.z));
+}
+static inline prt_vec3 vec_turn_back(const prt_real r[9], prt_vec3 v) {
+    return vec((double)(r[0] * v.x + r[3] * v.y + r[6] * v.z), (double)(r[1] * v.x + r[4] * v.y + r[7] * v.z),
+               (double)(r[2] * v.x + r[5] * v.y + r[8] * v.z));
+}
+/* The rotation by an angle about an axis of length 1: Rodrigues' formula. */
+static inline void rotation_about(prt_vec3 axis, double angle, prt_real r[9]) {
+    double c = cos(angle), s = sin(angle), x = (double)axis.x, y = (double)axis.y, z = (double)axis.z;
+    const double m[9] = { c + x * x * (1 - c),     x * y * (1 - c) - z * s, x * z * (1 - c) + y * s,
+                          y * x * (1 - c) + z * s, c + y * y * (1 - c),     y * z * (1 - c) - x * s,
+                          z * x * (1 - c) - y * s, z * y * (1 - c) + x * s, c + z * z * (1 - c) };
+    int k;
+    for (k = 0; k < 9; k++) r[k] = (prt_real)m[k];
+}
+
 static inline prt_rgb rgb_times(prt_rgb a, prt_rgb b) {
     return rgb((double)(a.r * b.r), (double)(a.g * b.g), (double)(a.b * b.b));
 }
