@@ -90,10 +90,15 @@ static kernel *describe_change(const char *name, const char *what, int bands, ch
     output_nodes(k, "out", bands * bands, f);
     return k;
 }
-kernel *describe_ch_from_sh(int bands) { return describe_change("ch_from_sh", "CH coefficients from SH", bands, by_inverse_transpose, 0); }
-kernel *describe_sh_from_ch(int bands) { return describe_change("sh_from_ch", "SH coefficients from CH", bands, by_transpose, 0); }
+kernel *describe_ch_from_sh(int bands) {
+    return describe_change("ch_from_sh", "CH coefficients from SH", bands, by_inverse_transpose, 0);
+}
+kernel *describe_sh_from_ch(int bands) {
+    return describe_change("sh_from_ch", "SH coefficients from CH", bands, by_transpose, 0);
+}
 kernel *describe_ch_from_moments(int bands) {
-    return describe_change("ch_from_moments", "CH coefficients from integrals with the basis", bands, by_inverse, by_inverse_transpose);
+    return describe_change("ch_from_moments", "CH coefficients from integrals with the basis", bands, by_inverse,
+                           by_inverse_transpose);
 }
 kernel *describe_ch_to_moments(int bands) {
     return describe_change("ch_to_moments", "integrals with the basis from CH coefficients", bands, by_transpose, by_matrix);

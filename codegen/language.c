@@ -269,7 +269,8 @@ static const signature signature_glsl_half = GLSL_SIGNATURE("mediump float", "me
 static const signature signature_glsl_float16 = GLSL_SIGNATURE("float16_t", "f16vec3", "f16vec4");
 DIALECT(glsl, "glsl", "", "", signature_glsl, "float %s = ", TERNARY, "", store_shader, "vec3(%s, %s, %s)")
 DIALECT(glsl_half, "glsl", "", "", signature_glsl_half, "mediump float %s = ", TERNARY, "", store_shader, "vec3(%s, %s, %s)")
-DIALECT(glsl_float16, "glsl", "#extension GL_EXT_shader_explicit_arithmetic_types_float16 : require\n", "", signature_glsl_float16, "float16_t %s = ", TERNARY, "hf", store_shader, "f16vec3(%s, %s, %s)")
+DIALECT(glsl_float16, "glsl", "#extension GL_EXT_shader_explicit_arithmetic_types_float16 : require\n", "",
+        signature_glsl_float16, "float16_t %s = ", TERNARY, "hf", store_shader, "f16vec3(%s, %s, %s)")
 
 static const signature signature_hlsl = GLSL_SIGNATURE("float", "float3", "float4");
 static const signature signature_hlsl_half = GLSL_SIGNATURE("min16float", "min16float3", "min16float4");
