@@ -306,7 +306,7 @@ static void interpolation_error_of_geometric_distances(void **state) {
 
 /* Share of pi sin^2 a that a cap of radiance 1, half-angle a, whose axis is at zenith angle b, gives a receiver. */
 static double cap_above_horizon(double a, double b) {
-    const int rings = 400, spokes = 400;
+    const int rings = 200, spokes = 100;
     double sum = 0;
     int i, j;
     for (i = 0; i < rings; i++) {
@@ -364,6 +364,34 @@ static void lens_of_two_discs(void **state) {
     for (k = 0; k < 5; k++)
         assert_near(textbook_lens(discs[k][0], discs[k][1], discs[k][2]), lens_by_counting(discs[k][0], discs[k][1], discs[k][2]),
                     5e-3 * discs[k][0] * discs[k][0]);
+}
+
+/* Two caps on the sphere: the part that both cover, over the sum of their areas, as the discs of equations 13 and 14 have it
+   (radius 2 sin(a/2), a chord apart: area-preserving) and as the paper's discs at unit distance (radius sin(a)) would. */
+static void discs_stand_in_for_caps(void **state) {
+    const int points = 400, pairs = 300;
+    double mean = 0, mean_flat = 0, mean_share = 0;
+    int k, i;
+    (void)state;
+    for (k = 0; k < pairs; k++) {
+        double a = 0.1 + uniform(), b = 0.1 + uniform(), apart = uniform() * (a + b), both = 0, areas, share, flat;
+        for (i = 0; i < points; i++) {                         /* a spiral over the first cap */
+            double z = 1 - (1 - cos(a)) * (i + 0.5) / points, r = sqrt(1 - z * z);
+            both += r * cos(2.39996322972865 * i) * sin(apart) + z * cos(apart) > cos(b);
+        }
+        areas = 2 - cos(a) - cos(b);
+        both *= (1 - cos(a)) / points / areas;
+        share = textbook_lens(2 * sin(a / 2), 2 * sin(b / 2), 2 * sin(apart / 2))
+                / (pi * 4 * (sin(a / 2) * sin(a / 2) + sin(b / 2) * sin(b / 2)));
+        flat = textbook_lens(sin(a), sin(b), 2 * sin(apart / 2)) / (pi * (sin(a) * sin(a) + sin(b) * sin(b)));
+        mean += fabs(share - both) / pairs;
+        mean_flat += fabs(flat - both) / pairs;
+        mean_share += both / pairs;
+    }
+    print_message("share of two overlapping caps, %.3f in the mean: mean error %.4f, by discs of radius sin(a) %.4f\n", mean_share,
+                  mean, mean_flat);
+    assert_at_most(mean, 0.005);
+    assert_at_most(mean, mean_flat);
 }
 
 static prt_fiv_hidden ball(prt_vec3 dir, double distance, double radius) {
@@ -1083,6 +1111,7 @@ int main(void) {
         cmocka_unit_test(interpolation_error_of_geometric_distances),
         cmocka_unit_test(horizon_cuts_caps),
         cmocka_unit_test(lens_of_two_discs),
+        cmocka_unit_test(discs_stand_in_for_caps),
         cmocka_unit_test(overlap_takes_back_the_lens),
         cmocka_unit_test(ball_over_a_plane),
         cmocka_unit_test(shading_agrees_with_the_textbook),
