@@ -278,33 +278,35 @@ typedef struct prt_fiv_desc {          /* zero-initialise; 0 means the default i
     prt_progress progress; void *progress_user;   /* after every sample: done of count */
 } prt_fiv_desc;
 
-/* Samples of the grid, theta_count phi_count rho_count; 0 if desc is NULL, a count is below 1, or there are more than an
-   int counts. Sample (k,i,j) stands at index (k theta_count + i) phi_count + j. */
+/* Samples of the grid, theta_count phi_count rho_count; 0 if desc is NULL, a count is below 1, or there are more than
+   an int counts. Sample (k,i,j) stands at index (k theta_count + i) phi_count + j. */
 PRTDEF int prt_bake_fiv_count(const prt_fiv_desc *desc);
 
 /* rho[count] from nearest to farthest in geometric steps, for even error: between rho and q rho a linear interpolation
    of 1/rho^2, the law by which distant objects hide light, errs by at most e = (1+q^-2)/2 ((1+q)/2)^2 - 1, about
    3/4 (q-1)^2, of the value there, the same in every interval; equal steps err 4 times too much where 2 times too near.
    q = (farthest/nearest)^(1/(count-1)): 1.07 gives .0035, 1.15 .015. With one distance it is `nearest`.
-   For objects that stand on receivers begin inside the bounding sphere, at half the radius, say; 1.05 radius will do for
-   objects that float. Beyond `farthest` the lookup falls off by the same law.
+   For objects that stand on receivers begin inside the bounding sphere, at half the radius, say; 1.05 radius will do
+   for objects that float. Beyond `farthest` the lookup falls off by the same law.
    Errors: PRT_ERR_COUNT (count < 1); PRT_ERR_NULL; PRT_ERR_VALUE unless 0 < nearest < farthest < infinity. */
 PRTDEF prt_result prt_fiv_distances(int count, prt_real nearest, prt_real farthest, prt_real *rho);
 
-/* The vectors of samples first ... first+count-1 into the same places of samples[prt_bake_fiv_count]; no other is touched.
+/* The vectors of samples first ... first+count-1 into the same places of samples[prt_bake_fiv_count]; no other is
+   touched.
      FIV = sum of L v over the texels whose centre the object hides,  v = int w dw over the texel,
    v in closed form, half the integral of r x dr around the texel: half the sum of arc times normal over its edges. Rays
    start from where the receiver sees the object at (theta_i, phi_j, rho_k) and go through the texels whose centres lie
    inside the cone around the bounding sphere, no other, and through none that is black: under a full sky about
-   c = texels (1 - sqrt(1 - (R/rho)^2))/2 of them, all where rho <= R. Where c < rays a texel gets s^2 rays through the centres of its parts, s = ceil(sqrt(rays/c)) up to 16, of
-   which again only those inside the cone are traced, and its share of hits instead of all or nothing: far places are
-   then as good as near ones. What a ray hits at any distance hides.
-   The bits of a sample depend on desc and its index alone. Errors, in this order, before anything is written:
+   c = texels (1 - sqrt(1 - (R/rho)^2))/2 of them, all where rho <= R. Where c < rays a texel gets s^2 rays through the
+   centres of its parts, s = ceil(sqrt(rays/c)) up to 16, of which again only those inside the cone are traced, and its
+   share of hits instead of all or nothing: far places are then as good as near ones. What a ray hits at any distance
+   hides. The bits of a sample depend on desc and its index alone. Errors, in this order, before anything is written:
    PRT_ERR_NULL (desc); PRT_ERR_COUNT (grid, range, sizes of env, to 16384; rays < 0);
    PRT_ERR_NULL (rho, tracer, its occluded, env, its texels, samples); PRT_ERR_VALUE (rho not increasing from above 0,
    radius not above 0, centre not finite); PRT_ERR_CAPACITY; PRT_ERR_MEMORY; PRT_ERR_VALUE (a texel not finite). Then
    PRT_ERR_TRACE, PRT_ERR_CANCELLED: what is finished is valid.
-   Memory: 48 bytes a texel (float; double 96), PRT_BAKE_BATCH rays. */
+   Memory: 53 bytes a texel (float; double 101), and PRT_BAKE_BATCH rays. Cost beside tracing, Zen 5: 15 ns a ray
+   through a texel's centre, 30 through a part of it. */
 PRTDEF prt_result prt_bake_fiv_table(const prt_fiv_desc *desc, int first, int count, prt_fiv *samples);
 
 /* Bytes of samples[prt_bake_fiv_count][(bands+1)^2], 0 if an argument is out of range or a size_t does not hold it. */
@@ -312,36 +314,37 @@ PRTDEF size_t prt_bake_fiv_transfer_size(const prt_fiv_desc *desc, int bands);
 
 /* The same for every light of `bands` bands, 1 ... PRT_MAX_BANDS - 1 (prt_fiv_transfer):
      samples[k][j] = int over the hidden directions of Y_j dw,  (bands+1)^2 of them,
-   from desc->rays rays [1024] a sample, a Fibonacci lattice over the cap around the bounding sphere, moved at random from
-   sample to sample. env is not read. Errors: as prt_bake_fiv_table without those of env, PRT_ERR_BANDS, PRT_ERR_CAPACITY.
-   A batch holds rays of one sample only. Accuracy: as prt_bake_transfer's by rays, in units of the cap. */
+   from desc->rays rays [1024] a sample, a Fibonacci lattice over the cap around the bounding sphere, moved at random
+   from sample to sample. env is not read. Errors: as prt_bake_fiv_table without those of env, PRT_ERR_BANDS,
+   PRT_ERR_CAPACITY. A batch holds rays of one sample only. Accuracy: as prt_bake_transfer's by rays, in units of the
+   cap. */
 PRTDEF prt_result prt_bake_fiv_transfer(const prt_fiv_desc *desc, int bands, int first, int count, prt_real *samples);
 
 /* The transfer table made of a desc and what was baked from it, as prt_fiv_table_of. */
 PRTDEF prt_fiv_transfer prt_fiv_transfer_of(const prt_fiv_desc *desc, int bands, const prt_real *samples,
                                             const unsigned char *inside);
 
-/* Which samples lie inside the object, for the same range: inside[k] = 1 where more than half of 64 rays meet the back of
-   a surface first (hit.normal along the ray), so that meshes with holes count as closed; 0 elsewhere and wherever
+/* Which samples lie inside the object, for the same range: inside[k] = 1 where more than half of 64 rays meet the back
+   of a surface first (hit.normal along the ray), so that meshes with holes count as closed; 0 elsewhere and wherever
    rho > radius. Uses tracer->closest. Errors: as prt_bake_fiv_table, without env. */
 PRTDEF prt_result prt_bake_fiv_inside(const prt_fiv_desc *desc, int first, int count, unsigned char *inside);
 
-/* The table made of a desc and what was baked from it; inside may be NULL. What it points to stays yours. A zero table if
-   desc is NULL. */
+/* The table made of a desc and what was baked from it; inside may be NULL. What it points to stays yours. A zero table
+   if desc is NULL. */
 PRTDEF prt_fiv_table prt_fiv_table_of(const prt_fiv_desc *desc, const prt_fiv *samples, const unsigned char *inside);
 
 /* The vectors of the whole environment (prt_fiv_self), exact: sum of L v over all texels.
    Errors: PRT_ERR_COUNT, PRT_ERR_NULL, PRT_ERR_VALUE (a texel not finite), PRT_ERR_CAPACITY, PRT_ERR_MEMORY. */
 PRTDEF prt_result prt_bake_fiv_environment(const prt_fiv_env *env, prt_fiv *fiv);
 
-/* I_tot(N) = int L max(0, N.w) dw for count unit normals, exact for texels of constant radiance: texels that the horizon
-   cuts are clipped by it, in closed form. Cost: a multiply-add a texel and channel, and 0.3 us for each of the few that
-   the horizon cuts. Errors: as prt_bake_fiv_environment, with PRT_ERR_COUNT (count < 0), PRT_ERR_VALUE (a normal not
-   finite or not unit within 1e-3). */
+/* I_tot(N) = int L max(0, N.w) dw for count unit normals, exact for texels of constant radiance: texels that the
+   horizon cuts are clipped by it, in closed form. Cost: a multiply-add a texel and channel, and 0.3 us for each of the
+   few that the horizon cuts. Errors: as prt_bake_fiv_environment, with PRT_ERR_COUNT (count < 0), PRT_ERR_VALUE (a
+   normal not finite or not unit within 1e-3). */
 PRTDEF prt_result prt_bake_fiv_irradiance(const prt_fiv_env *env, int count, const prt_vec3 *normals, prt_rgb *total);
 
-/* The same at texels first ... first+count-1 of a cube texture total[6][size][size], to be read by prt_fiv_total or by a
-   GPU: faces and rows as in prt_sh_project_cubemap_rgb, N through the centre of the texel.
+/* The same at texels first ... first+count-1 of a cube texture total[6][size][size], to be read by prt_fiv_total or by
+   a GPU: faces and rows as in prt_sh_project_cubemap_rgb, N through the centre of the texel.
    Errors: as prt_bake_fiv_irradiance; PRT_ERR_COUNT also for size < 1, 6 size^2 beyond an int, or a bad range. */
 PRTDEF prt_result prt_bake_fiv_total(const prt_fiv_env *env, int size, int first, int count, prt_rgb *total);
 
@@ -1216,7 +1219,8 @@ PRT__STATIC double prt__cell_vector(const prt__cell *cell, double vector[3]) {
     int k;
     vector[0] = vector[1] = vector[2] = 0;
     for (k = 0; k < 4; k++) {
-        if (cell->latitude && k % 2) prt__add_latitude_arc(cell->theta[k], cell->phi[k], cell->phi[(k + 1) % 4], vector);
+        if (cell->latitude && k % 2)
+            prt__add_latitude_arc(cell->theta[k], cell->phi[k], cell->phi[(k + 1) % 4], vector);
         else prt__add_great_arc(cell->corner[k], cell->corner[(k + 1) % 4], vector);
     }
     for (k = 0; k < 4; k++) towards += prt__ddot(vector, cell->corner[k]);
@@ -1512,7 +1516,8 @@ PRTDEF prt_result prt_bake_fiv_total(const prt_fiv_env *env, int size, int first
     r = prt__sky_open(&sky, env, 0, &memory, &used);
     for (k = first; r == PRT_OK && k < first + count; k++) {
         double n[3];
-        prt__cube_direction(k / size / size, (2 * (k % size) + 1.0) / size - 1, (2 * (k / size % size) + 1.0) / size - 1, n);
+        prt__cube_direction(k / size / size, (2 * (k % size) + 1.0) / size - 1,
+                            (2 * (k / size % size) + 1.0) / size - 1, n);
         total[k] = prt__sky_irradiance(&sky, n);
     }
     if (r == PRT_OK) PRT_FREE(memory);
@@ -1556,8 +1561,8 @@ PRTDEF prt_fiv_table prt_fiv_table_of(const prt_fiv_desc *desc, const prt_fiv *s
 PRT__STATIC double prt__fiv_place(const prt_fiv_desc *desc, int index, double dir[3]) {
     int j = index % desc->phi_count, i = index / desc->phi_count % desc->theta_count;
     int k = index / desc->phi_count / desc->theta_count;
-    prt__polar_direction(desc->theta_count > 1 ? PRT__PI * i / (desc->theta_count - 1) : 0, 2 * PRT__PI * j / desc->phi_count,
-                         dir);
+    prt__polar_direction(desc->theta_count > 1 ? PRT__PI * i / (desc->theta_count - 1) : 0,
+                         2 * PRT__PI * j / desc->phi_count, dir);
     if (i == 0 || i == desc->theta_count - 1) { dir[0] = dir[1] = 0; dir[2] = i == 0 ? 1 : -1; }
     return (double)desc->rho[k];
 }
@@ -1640,7 +1645,8 @@ PRT__STATIC prt_result prt__fiv_drain(prt__fiv_bake *b) {
     return r;
 }
 
-/* A sample being traced: the cone around the bounding sphere, cosine -2 where it is everything, and texels in split^2. */
+/* A sample being traced: the cone around the bounding sphere, cosine -2 where it is everything, and texels in
+   split^2. */
 typedef struct prt__fiv_look {
     double axis[3], cosine, sine, share, near;  /* near: cosine of the cone with the reach of a cell around it */
     prt_vec3 toward;
@@ -1653,7 +1659,8 @@ enum { PRT__FIV_RAYS = 256 };
 
 PRT__STATIC void prt__fiv_look_at(const prt__fiv_bake *b, int index, prt__fiv_look *look) {
     const prt_fiv_desc *desc = b->desc;
-    double distance = prt__fiv_place(desc, index, look->axis), radius = (double)desc->radius, cells = b->sky.count, split;
+    double distance = prt__fiv_place(desc, index, look->axis), radius = (double)desc->radius;
+    double cells = b->sky.count, split;
     int inside = !(distance > radius);
     look->cosine = inside ? -2 : sqrt((distance - radius) * (distance + radius)) / distance;
     look->sine = inside ? 0 : radius / distance;
@@ -1716,7 +1723,8 @@ PRT__STATIC prt_result prt__fiv_sample(prt__fiv_bake *b, int index) {
         for (k = tile->first; r == PRT_OK && k < tile->first + tile->count; k++) {
             if (prt__fiv_dark(&b->sky.vectors[k])) continue;
             if (look.split == 1) r = prt__fiv_trace(b, &look, k, b->sky.dir[k]);
-            else if ((double)prt__dot3(b->sky.dir[k], look.toward) >= look.near - 1e-6) r = prt__fiv_trace_parts(b, &look, k);
+            else if ((double)prt__dot3(b->sky.dir[k], look.toward) >= look.near - 1e-6)
+                r = prt__fiv_trace_parts(b, &look, k);
         }
     }
     return r;
@@ -1840,7 +1848,8 @@ PRTDEF prt_result prt_bake_fiv_transfer(const prt_fiv_desc *desc, int bands, int
     prt__steps_of_block(&b.steps);
     for (k = first; r == PRT_OK && k < first + count; k++) {
         r = prt__fiv_transfer_sample(&b, desc, k, samples + (size_t)k * (size_t)b.coefficients);
-        if (r == PRT_OK && desc->progress && desc->progress(desc->progress_user, k - first + 1, count)) r = PRT_ERR_CANCELLED;
+        if (r == PRT_OK && desc->progress && desc->progress(desc->progress_user, k - first + 1, count))
+            r = PRT_ERR_CANCELLED;
     }
     PRT_FREE(memory);
     return r;
@@ -1849,9 +1858,10 @@ PRTDEF prt_result prt_bake_fiv_transfer(const prt_fiv_desc *desc, int bands, int
 /* Rays by which a sample decides whether it lies inside. */
 enum { PRT__FIV_FEELERS = 64, PRT__FIV_FEELING = 16 };
 
-/* The next samples that may lie inside, at most PRT__FIV_FEELING, are asked; returns the first that was not looked at. */
-PRT__STATIC int prt__fiv_feel(const prt_fiv_desc *desc, const prt_vec3 *dirs, int at, int end, prt_ray *rays, int *asked,
-                              int *count) {
+/* The next samples that may lie inside, at most PRT__FIV_FEELING, are asked; returns the first that was not
+   looked at. */
+PRT__STATIC int prt__fiv_feel(const prt_fiv_desc *desc, const prt_vec3 *dirs, int at, int end, prt_ray *rays,
+                              int *asked, int *count) {
     int k;
     *count = 0;
     for (; at < end && *count < PRT__FIV_FEELING; at++) {
@@ -1894,7 +1904,8 @@ PRT__STATIC prt_result prt__fiv_inside_range(const prt_fiv_desc *desc, int first
             int felt = k < count && asked[k] == done;
             inside[done] = felt ? prt__fiv_enclosed(rays + k * PRT__FIV_FEELERS, hits + k * PRT__FIV_FEELERS) : 0;
             k += felt;
-            if (desc->progress && desc->progress(desc->progress_user, done - first + 1, end - first)) return PRT_ERR_CANCELLED;
+            if (desc->progress && desc->progress(desc->progress_user, done - first + 1, end - first))
+                return PRT_ERR_CANCELLED;
         }
     }
     return PRT_OK;
