@@ -1081,6 +1081,10 @@ PRT__INLINE prt_real prt__dot3(prt_vec3 a, prt_vec3 b) { return a.x * b.x + a.y 
 
 PRT__INLINE prt_real prt__abs(prt_real v) { return v < 0 ? -v : v; }
 
+PRT__INLINE int prt__rgb_within_1(prt_rgb c) {                 /* false for NaN */
+    return c.r >= 0 && c.r <= 1 && c.g >= 0 && c.g <= 1 && c.b >= 0 && c.b <= 1;
+}
+
 PRT__INLINE int prt__bands_ok(int bands) { return bands >= 1 && bands <= PRT_MAX_BANDS; }
 
 PRT__INLINE prt_vec3 prt__vec3(prt_real x, prt_real y, prt_real z) { prt_vec3 v; v.x = x; v.y = y; v.z = z; return v; }
@@ -6659,9 +6663,6 @@ PRT__STATIC uint32_t prt__fold12(prt_vec3 v) {
 }
 
 PRT__INLINE int prt__half_holds(double v) { return fabs(v) <= 65504; }         /* false for NaN */
-PRT__INLINE int prt__byte_holds(prt_rgb c) {
-    return c.r >= 0 && c.r <= 1 && c.g >= 0 && c.g <= 1 && c.b >= 0 && c.b <= 1;
-}
 
 /* Whether it can be packed; the words, where out is not NULL. */
 PRT__STATIC int prt__vo_pack_one(double unit, prt_vec3 at, const prt_vo_occluder *o, int words, uint32_t *out) {
@@ -6670,10 +6671,10 @@ PRT__STATIC int prt__vo_pack_one(double unit, prt_vec3 at, const prt_vo_occluder
     double diffuse = prt__length3(o->diffuse_normal), specular = prt__length3(o->specular_normal);
     double focus = (double)o->caustic_factor;
     if (!prt__half_holds(x) || !prt__half_holds(y) || !prt__half_holds(z) || !prt__half_holds(f) || f < 0) return 0;
-    if (!prt__half_holds(diffuse) || !prt__byte_holds(o->diffuse) || !prt__finite3(o->occlusion)) return 0;
+    if (!prt__half_holds(diffuse) || !prt__rgb_within_1(o->diffuse) || !prt__finite3(o->occlusion)) return 0;
     if (words > PRT__VO_WORDS_DIFFUSE &&
-        (!prt__half_holds(focus) || focus < 0 || !prt__half_holds(specular) || !prt__byte_holds(o->specular) ||
-         !prt__byte_holds(o->transmissive) || !prt__finite3(o->caustic))) return 0;
+        (!prt__half_holds(focus) || focus < 0 || !prt__half_holds(specular) || !prt__rgb_within_1(o->specular) ||
+         !prt__rgb_within_1(o->transmissive) || !prt__finite3(o->caustic))) return 0;
     if (!out) return 1;
     if (!(prt__length3(o->occlusion) > 0)) f = 0;
     if (!(prt__length3(o->caustic) > 0)) focus = 0;

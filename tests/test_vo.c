@@ -319,6 +319,43 @@ static void aligned_vectors_have_no_negative_sine(void **state) {
     printf("1 - (d.l)^2 of aligned vectors is negative for %.1f %%\n", 100.0 * negative / n);
 }
 
+/* A light on an occluder's position sends nothing by its way; one on the point sends nothing straight; one behind the
+   occluder is shadowed, one behind the point does not reach it. */
+static void lights_in_odd_places(void **state) {
+    static const int first[] = { 0, 1 };
+    int batch;
+    (void)state;
+    for (batch = 0; batch < 2; batch++) {
+        prt_vec3 places[4];
+        double want[4];
+        int k;
+        places[0] = vec3(0, 3, 4);  want[0] = .8;              /* on the occluder: only straight, and 37 degrees aside */
+        places[1] = vec3(0, 0, 0);  want[1] = .25 * .6;        /* on the point: only by way of the occluder */
+        places[2] = vec3(0, 0, 9);  want[2] = 0;               /* behind what hides it, on the axis; DD below its horizon */
+        places[3] = vec3(0, 0, -9); want[3] = .25 * 13 / sqrt(178);    /* behind the point */
+        for (k = 0; k < 4; k++) {
+            prt_vo_params q;
+            prt_vo_point p;
+            prt_vo_occluder o;
+            prt_point_light l;
+            prt_rgb out;
+            memset(&q, 0, sizeof q);
+            memset(&p, 0, sizeof p);
+            memset(&o, 0, sizeof o);
+            p.normal = vec3(0, 0, 1); p.diffuse = rgb(1, 1, 1);
+            o.position = vec3(0, 3, 4); o.diffuse = rgb(1, 1, 1); o.specular = rgb(1, 1, 1);
+            o.diffuse_normal = k == 1 ? vec3(0, -.25, 0) : vec3(0, 0, -.25);
+            o.occlusion = k == 2 ? vec3(0, 0, 1) : vec3(0, -1, 0); o.form_factor = (prt_real).5;
+            l.position = places[k]; l.color = rgb(1, 1, 1);
+            assert_int_equal(batch ? prt_vo_shade_n(&q, 1, &p, vec3(1, 1, 1), first, &o, 1, &l, &out)
+                                   : prt_vo_shade(&q, &p, vec3(1, 1, 1), 1, &o, 1, &l, &out), PRT_OK);
+            assert_near(out.r, want[k], 8 * PRT__EPS);
+            assert_int_equal(prt_vo_shade(&q, &p, vec3(1, 1, 1), 0, NULL, 1, &l, &out), PRT_OK);    /* no occluders */
+            assert_near(out.r, k == 0 ? .8 : k == 2 ? 1 : 0, 4 * PRT__EPS);
+        }
+    }
+}
+
 /* Caps against the share of a disc behind a disc, the area of their lens. */
 static double disc_behind_disc(double light, double cap, double apart) {
     double x, y;
@@ -801,6 +838,7 @@ int main(void) {
         cmocka_unit_test(batches_are_bit_equal),
         cmocka_unit_test(the_sine_law),
         cmocka_unit_test(aligned_vectors_have_no_negative_sine),
+        cmocka_unit_test(lights_in_odd_places),
         cmocka_unit_test(the_cap_law),
         cmocka_unit_test(caustics_are_bounded),
         cmocka_unit_test(nothing_jumps),
