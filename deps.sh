@@ -20,6 +20,7 @@ done
 cmd() { command -v "$1" >/dev/null 2>&1; }
 pc()  { pkg-config --exists "$@" 2>/dev/null; }
 hdr() { printf '#include <%s>\n' "$1" | cc -E -x c - >/dev/null 2>&1; }
+lavapipe() { compgen -G '/usr/share/vulkan/icd.d/lvp_icd*' >/dev/null; }
 fuzzer() { printf 'int LLVMFuzzerTestOneInput(const char *d, unsigned long n) { return d && n > 9; }\n' |
            clang -fsanitize=fuzzer,address,undefined -x c - -o /dev/null >/dev/null 2>&1; }
 
@@ -93,7 +94,7 @@ want "test"       spirv-tools              cmd spirv-val
 want "test"       spirv-cross              cmd spirv-cross
 want "test"       npm                      cmd npm
 want "test"       libvulkan-dev            hdr vulkan/vulkan.h
-want "test"       mesa-vulkan-drivers      test -e /usr/share/vulkan/icd.d/lvp_icd.x86_64.json
+want "test"       mesa-vulkan-drivers      lavapipe
 want "test"       chromium                 cmd chromium
 
 read -ra packages <<<"$(printf '%s\n' "${missing[@]}" "${optional[@]}" | sort -u | tr '\n' ' ')"
