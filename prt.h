@@ -461,12 +461,14 @@ PRTDEF prt_result prt_sh_rotate_by_soa(int bands, const prt_real *blocks, int co
    sines are quotients of entries of R, good at the poles too, and no angle is computed. Reflections go by M(-R) =
    (-1)^l M(R). out may be f.
    Accuracy, float/double, tilts of 1e-7 from the poles included, for |f_i| <= 1: 2e-6/4e-15 to 8 bands, 3e-7/8e-16 a
-   band above; 1000 turns by 2 pi/1000 about x, y or z at 6 bands come back within 1.2e-4 in float, which is the
-   rounding of R and of the constants taken 1000 times. Cost: 9 55 122 224 358 528 738 multiplications and about 0.6
-   times as many additions for 2 to 8 bands, most of them four at a time, one root, two divisions; 0.4 to 0.85 times
-   the time of DirectXMath's XMSHRotate at 3 to 6 bands. Above 8 bands the swap is computed on the way, in double, about
-   16 l^2 operations a band without a root or division: 0.22, 1.5 and 41 us at 9, 16 and 64 bands (AVX-512; 0.35, 3.3
-   and 167 us with SSE2), a seventh of what building the blocks takes. */
+   band above. 1000 turns by 2 pi/1000 at 6 bands come back within 1e-4 in float, about x, y, z and (3,0,4) within
+   6e-5, of which the rounding of R alone makes 1e-5 (docs/rotation.md): a is worked out in double from g as it was
+   rounded, and the constants of the swap are rounded so that it stays its own inverse. Cost: 9 55 122 224 358 528 738
+   multiplications and about 0.6 times as many additions for 2 to 8 bands, most of them four at a time, one root, two
+   divisions; 0.4, 0.66, 0.85 and 0.75 times the time of DirectXMath's XMSHRotate at 3 to 6 bands (AVX-512; 0.47,
+   0.68, 0.87 and 0.8 with SSE2). Above 8 bands the swap is computed on the way, in double, about 16 l^2 operations a
+   band without a root or division: 0.22, 1.5 and 41 us at 9, 16 and 64 bands (AVX-512; 0.35, 3.3 and 167 us with
+   SSE2), a seventh of what building the blocks takes. */
 PRTDEF prt_result prt_sh_rotate     (int bands, const prt_real rotation[9], const prt_real *f, prt_real *out);
 
 /* The same about z by an angle in radians (finite, else PRT_ERR_VALUE), from +x towards +y. out may be f.
@@ -603,8 +605,8 @@ PRTDEF double prt_ch_norm(int l, int m);
    from C(m,m) = Y(m,m), with a and c from tables to 64 bands; beyond, O(l) for each. Time: SH's within 5 % to 10 bands.
    Above, one direction at a time takes 0.75 to 0.82 of SH's time, since SH makes its factors from roots; _soa the same
    as SH with SSE2, and up to 1.15 of it with AVX-512, which waits for the table (bench jobs ch_eval, ch_eval_soa).
-   Absolute error float/double, with that of the direction's length: 1.7e-6/4e-15 to 10 bands, 3.3e-6/6e-15 to 14, 1.7e-5/4e-14 to 33, 8e-5/2e-13 to 64
-   (tests/test_ch.c). */
+   Absolute error float/double, with that of the direction's length: 1.7e-6/4e-15 to 10 bands, 3.3e-6/6e-15 to 14,
+   1.7e-5/4e-14 to 33, 8e-5/2e-13 to 64 (tests/test_ch.c). */
 PRTDEF prt_result prt_ch_eval    (int bands, prt_vec3 dir, prt_real *c);
 PRTDEF prt_result prt_ch_eval_n  (int bands, int count, const prt_vec3 *dirs, prt_real *c);
 PRTDEF prt_result prt_ch_eval_soa(int bands, int count, const prt_real *x, const prt_real *y, const prt_real *z,
@@ -3452,35 +3454,36 @@ PRTDEF prt_result prt_sh_rotate_by_soa(int bands, const prt_real *blocks, int co
 
 /* ---- one vector, one rotation ---- */
 
-/* cos and sin of a, b, g with R = Rz(a) Ry(b) Rz(g), in this order, for a proper rotation, then those of 2g. R holds
-   the phasor of g in its last row, times sin b. That of a in the last column is lost near the poles; but the upper
-   left corner holds those of a + g, times 1 + cos b, and of a - g, times 1 - cos b, and one of the two is always well
-   defined. What is of length 1 up to the error of R needs no root to be normalised, one step of Newton's does; a takes
-   back what rounding does to the length of g. */
-PRT__INLINE void prt__euler(const prt_real *r, prt_real *turn) {
-    prt_real h2 = r[6] * r[6] + r[7] * r[7], h = 0, cg = 1, sg = 0, c2g = 1, s2g = 0, c = r[8];
-    prt_real side = prt__sign(c), over = 1 / (1 + side * c), unit;     /* no branch: either is as likely */
-    prt_real x = (r[4] + side * r[0]) * over, y = (r[3] - side * r[1]) * over;
+/* cos and sin of a, b, g with R = Rz(a) Ry(b) Rz(g), in this order, and of 2g, for a proper rotation. R holds the phasor
+   of g in its last row, times sin b. That of a in the last column is lost near the poles; but the upper left corner
+   holds those of a + g, times 1 + cos b, and of a - g, times 1 - cos b, and one of the two is always well defined. What
+   is of length 1 up to the error of R needs no root to be normalised, one step of Newton's does. a is worked out in double
+   from g as it was rounded, and so takes back the error of g: where one rotation is applied again and again, their sum
+   must be right. Nothing waits for it, a comes last. */
+typedef struct prt__angles { double ca, sa; prt_real cb, sb, cg, sg, c2g, s2g; } prt__angles;
+PRT__INLINE void prt__euler(const prt_real *r, prt__angles *e) {
+    prt_real h2 = r[6] * r[6] + r[7] * r[7], h = 0, c = r[8], over, unit;
+    double side = (double)prt__sign(c), scale = 1 / (1 + side * (double)c), x, y, length, cg, sg;
+    e->cg = e->c2g = 1;
+    e->sg = e->s2g = 0;
     if (h2 > PRT__EPS * PRT__EPS * PRT__EPS * PRT__EPS) {
         over = 1 / h2;                                          /* beside the root, not after it */
         h = prt__sqrt(h2);
-        cg = -r[6] * over * h;
-        sg = r[7] * over * h;
-        c2g = (r[6] * r[6] - r[7] * r[7]) * over;
-        s2g = -2 * r[6] * r[7] * over;
+        e->cg = -r[6] * over * h;
+        e->sg = r[7] * over * h;
+        e->c2g = (r[6] * r[6] - r[7] * r[7]) * over;
+        e->s2g = -2 * r[6] * r[7] * over;
     }
-    unit = (PRT__R(1.5) - PRT__R(0.5) * (x * x + y * y)) * (2 - (cg * cg + sg * sg));
-    x *= unit;
-    y *= unit;
-    turn[0] = x * cg + y * sg;
-    turn[1] = side * (y * cg - x * sg);
+    cg = (double)e->cg;
+    sg = (double)e->sg;
+    x = ((double)r[4] + side * (double)r[0]) * scale;
+    y = ((double)r[3] - side * (double)r[1]) * scale;
+    length = (1.5 - 0.5 * (x * x + y * y)) * (2 - (cg * cg + sg * sg));
+    e->ca = (x * cg + y * sg) * length;
+    e->sa = (y * cg - x * sg) * length * side;
     unit = PRT__R(1.5) - PRT__R(0.5) * (h2 + c * c);
-    turn[2] = c * unit;
-    turn[3] = h * unit;
-    turn[4] = cg;
-    turn[5] = sg;
-    turn[6] = c2g;
-    turn[7] = s2g;
+    e->cb = c * unit;
+    e->sb = h * unit;
 }
 
 PRT__INLINE prt_real prt__determinant(const prt_real *r) {
@@ -3548,9 +3551,9 @@ PRT__INLINE void prt__turn_classes(prt__classes *v, const prt__classes *t) {
     v->odd_sin = v->odd_sin * t->odd_cos + odd * t->odd_sin;
 }
 
-/* From the phasor of the angle and that of twice the angle: { 0 2 4 6 } is { 0 2 0 2 } + { 0 0 4 4 }. */
-PRT__INLINE prt__turn prt__multiples(int bands, prt_real c1, prt_real s1, prt_real c2, prt_real s2) {
-    prt_real c4 = c2 * c2 - s2 * s2, s4 = 2 * s2 * c2;
+/* From the phasors of the angle, twice and four times the angle: { 0 2 4 6 } is { 0 2 0 2 } + { 0 0 4 4 }. */
+PRT__INLINE prt__turn prt__multiples(int bands, prt_real c1, prt_real s1, prt_real c2, prt_real s2, prt_real c4,
+                                     prt_real s4) {
     prt__quad c = { 1, c2, 1, c2 }, s = { 0, s2, 0, s2 };
     prt__turn t;
     t.low.even_cos = c;
@@ -3570,6 +3573,16 @@ PRT__INLINE prt__turn prt__multiples(int bands, prt_real c1, prt_real s1, prt_re
         t.high.odd_sin = t.high.even_sin * c1 + t.high.even_cos * s1;
     }
     return t;
+}
+
+/* A small turn many times over has small b, or small a + g: 1 - 2 sin^2 is rounded once then, and a is still in double. */
+PRT__INLINE prt__turn prt__multiples_of_b(int bands, prt_real c1, prt_real s1) {
+    prt_real c2 = 1 - 2 * s1 * s1, s2 = 2 * s1 * c1;
+    return prt__multiples(bands, c1, s1, c2, s2, 1 - 2 * s2 * s2, 2 * s2 * c2);
+}
+PRT__INLINE prt__turn prt__multiples_of_a(int bands, double c1, double s1) {
+    double c2 = c1 * c1 - s1 * s1, s2 = 2 * s1 * c1, c4 = c2 * c2 - s2 * s2, s4 = 2 * s2 * c2;
+    return prt__multiples(bands, (prt_real)c1, (prt_real)s1, (prt_real)c2, (prt_real)s2, (prt_real)c4, (prt_real)s4);
 }
 
 /* Bands 2 and 3: f[4 ... 15] = s2 s1 c0 c1 | c2, s3 s2 s1 | c0 c1 c2 c3. */
@@ -3735,12 +3748,12 @@ PRT__INLINE void prt__rotate_band_3(const prt__axes *c, const prt_real *r, const
 }
 
 PRT__INLINE void prt__rotate_upper_bands(int bands, const prt_real *r, const prt_real *f, prt_real *out) {
-    prt_real e[8];
+    prt__angles e;
     prt__turn a, b, g;
-    prt__euler(r, e);
-    g = prt__multiples(bands, e[4], e[5], e[6], e[7]);
-    b = prt__multiples(bands, e[2], -e[3], e[2] * e[2] - e[3] * e[3], -2 * e[2] * e[3]);
-    a = prt__multiples(bands, e[0], e[1], e[0] * e[0] - e[1] * e[1], 2 * e[0] * e[1]);
+    prt__euler(r, &e);
+    g = prt__multiples(bands, e.cg, e.sg, e.c2g, e.s2g, e.c2g * e.c2g - e.s2g * e.s2g, 2 * e.s2g * e.c2g);
+    b = prt__multiples_of_b(bands, e.cb, -e.sb);
+    a = prt__multiples_of_a(bands, e.ca, e.sa);
     prt__rotate_bands_2_3(&a, &b, &g, f, out);
     prt__rotate_band_4(&a, &b, &g, f, out);
     if (bands > 5) prt__rotate_band_5(&a, &b, &g, f, out);
@@ -3785,12 +3798,17 @@ static prt__rotate_kernel *const prt__rotate_kernels[PRT__ROTATE_KERNELS - 1] = 
 };
 
 PRT__STATIC prt_result prt__rotate_plain(int bands, const prt_real *r, const prt_real *f, prt_real *out) {
-    prt_real copy[PRT__ROTATE_KERNELS * PRT__ROTATE_KERNELS], minus[9], turn[8] = { 0 };
+    prt_real copy[PRT__ROTATE_KERNELS * PRT__ROTATE_KERNELS], minus[9], turn[6] = { 1, 0, 1, 0, 1, 0 };
+    prt__angles e;
     const prt_real *proper = r;
     if (!prt__rotation_ok(r)) return PRT_ERR_ROTATION;
     if (bands > 3 && prt__determinant(r) < 0) proper = prt__negated(r, minus);
-    if (bands > 3) prt__euler(proper, turn);
-    else turn[0] = 0;                                                        /* not read; gcc -O3 does not see that */
+    if (bands > 3) {
+        prt__euler(proper, &e);
+        turn[0] = (prt_real)e.ca; turn[1] = (prt_real)e.sa;
+        turn[2] = e.cb; turn[3] = e.sb;
+        turn[4] = e.cg; turn[5] = e.sg;
+    }
     memcpy(copy, f, (size_t)PRT_SH_COUNT(bands) * sizeof *f);               /* so that out may be f */
     if (bands == 1) out[0] = f[0];
     else prt__rotate_kernels[bands - 2](proper, turn, copy, out);
@@ -3932,15 +3950,16 @@ PRT__STATIC void prt__band_turn(int l, const prt__band *turn, prt__band *b) {
 
 /* Bands first ... bands-1, in double and with the swap computed on the way. */
 PRT__STATIC void prt__rotate_far(int first, int bands, const prt_real *r, const prt_real *f, prt_real *out) {
-    prt_real minus[9], turn[8];
+    prt_real minus[9];
+    prt__angles e;
     const prt_real *proper = prt__determinant(r) < 0 ? prt__negated(r, minus) : r;
     prt__band a, b, g, v;
     prt__swap t;
     int l;
-    prt__euler(proper, turn);
-    prt__multiples_of(bands, (double)turn[0], (double)turn[1], &a);
-    prt__multiples_of(bands, (double)turn[2], -(double)turn[3], &b);
-    prt__multiples_of(bands, (double)turn[4], (double)turn[5], &g);
+    prt__euler(proper, &e);
+    prt__multiples_of(bands, e.ca, e.sa, &a);
+    prt__multiples_of(bands, (double)e.cb, -(double)e.sb, &b);
+    prt__multiples_of(bands, (double)e.cg, (double)e.sg, &g);
     for (l = first; l < bands; l++) {
         prt__swap_prepare(l, &t);
         prt__band_load(l, f, &v);
@@ -17012,14 +17031,25 @@ PRT__STATIC void prt__sh_rotate_8(const prt_real *r, const prt_real *turn, const
 /* BEGIN GENERATED: prt_codegen --table swap_yz */
 /* y and z swapped in bands 2 and 3 */
 PRT__INLINE void prt__swap_yz_3(prt__classes *v) {
+#ifdef PRT_DOUBLE
     static const prt_real c[][4] = {
-        { PRT__R(-0.612372435695794524549), PRT__R(0.612372435695794524549), PRT__R(-0.5), PRT__R(0.5) },
-        { PRT__R(-0.790569415042094833), PRT__R(-0.790569415042094833), PRT__R(-0.866025403784438646764), PRT__R(-0.866025403784438646764) },
-        { PRT__R(-0.25), PRT__R(0.25), PRT__R(1.0), 0 },
-        { PRT__R(-0.968245836551854221295), PRT__R(-0.968245836551854221295), 0, 0 },
-        { PRT__R(-0.612372435695794524549), PRT__R(0.612372435695794524549), PRT__R(1.0), 0 },
-        { PRT__R(-0.790569415042094833), PRT__R(-0.790569415042094833), 0, 0 }
+        { -0.612372435695794524549, 0.612372435695794524549, -0.5, 0.5 },
+        { -0.790569415042094833, -0.790569415042094833, -0.866025403784438646764, -0.866025403784438646764 },
+        { -0.25, 0.25, 1.0, 0 },
+        { -0.968245836551854221295, -0.968245836551854221295, 0, 0 },
+        { -0.612372435695794524549, 0.612372435695794524549, 1.0, 0 },
+        { -0.790569415042094833, -0.790569415042094833, 0, 0 }
     };
+#else
+    static const prt_real c[][4] = {
+        { -0.612372398f, 0.612372398f, -0.5f, 0.5f },
+        { -0.790569425f, -0.790569425f, -0.866025388f, -0.866025388f },
+        { -0.25f, 0.25f, 1.0f, 0 },
+        { -0.968245864f, -0.968245864f, 0, 0 },
+        { -0.612372398f, 0.612372398f, 1.0f, 0 },
+        { -0.790569425f, -0.790569425f, 0, 0 }
+    };
+#endif
     prt__quad even_cos = v->even_cos;
     prt__quad odd_cos = v->odd_cos;
     prt__quad even_sin = v->even_sin;
@@ -17035,17 +17065,31 @@ PRT__INLINE void prt__swap_yz_3(prt__classes *v) {
 
 /* y and z swapped in band 4 */
 PRT__INLINE void prt__swap_yz_4(prt__classes *v) {
+#ifdef PRT_DOUBLE
     static const prt_real c[][4] = {
-        { PRT__R(0.375), PRT__R(0.5), PRT__R(0.125), 0 },
-        { PRT__R(0.559016994374947424102), PRT__R(-0.661437827766147647625), PRT__R(0.739509972887452005321), 0 },
-        { PRT__R(0.739509972887452005321), PRT__R(0.559016994374947424102), PRT__R(-0.661437827766147647625), 0 },
-        { PRT__R(-0.3535533905932737622), PRT__R(0.3535533905932737622), 0, 0 },
-        { PRT__R(-0.935414346693485346396), PRT__R(-0.935414346693485346396), 0, 0 },
-        { 0, PRT__R(-0.3535533905932737622), PRT__R(0.3535533905932737622), 0 },
-        { 0, PRT__R(-0.935414346693485346396), PRT__R(-0.935414346693485346396), 0 },
-        { PRT__R(-0.75), PRT__R(0.75), 0, 0 },
-        { PRT__R(-0.661437827766147647625), PRT__R(-0.661437827766147647625), 0, 0 }
+        { 0.375, 0.5, 0.125, 0 },
+        { 0.559016994374947424102, -0.661437827766147647625, 0.739509972887452005321, 0 },
+        { 0.739509972887452005321, 0.559016994374947424102, -0.661437827766147647625, 0 },
+        { -0.3535533905932737622, 0.3535533905932737622, 0, 0 },
+        { -0.935414346693485346396, -0.935414346693485346396, 0, 0 },
+        { 0, -0.3535533905932737622, 0.3535533905932737622, 0 },
+        { 0, -0.935414346693485346396, -0.935414346693485346396, 0 },
+        { -0.75, 0.75, 0, 0 },
+        { -0.661437827766147647625, -0.661437827766147647625, 0, 0 }
     };
+#else
+    static const prt_real c[][4] = {
+        { 0.375f, 0.5f, 0.125f, 0 },
+        { 0.559017003f, -0.661437809f, 0.73951f, 0 },
+        { 0.73951f, 0.559017003f, -0.661437809f, 0 },
+        { -0.353553385f, 0.353553385f, 0, 0 },
+        { -0.935414374f, -0.935414374f, 0, 0 },
+        { 0, -0.353553385f, 0.353553385f, 0 },
+        { 0, -0.935414374f, -0.935414374f, 0 },
+        { -0.75f, 0.75f, 0, 0 },
+        { -0.661437809f, -0.661437809f, 0, 0 }
+    };
+#endif
     prt__quad even_cos = v->even_cos;
     prt__quad odd_cos = v->odd_cos;
     prt__quad even_sin = v->even_sin;
@@ -17063,19 +17107,35 @@ PRT__INLINE void prt__swap_yz_4(prt__classes *v) {
 
 /* y and z swapped in band 5 */
 PRT__INLINE void prt__swap_yz_5(prt__classes *v) {
+#ifdef PRT_DOUBLE
     static const prt_real c[][4] = {
-        { PRT__R(0.484122918275927110647), PRT__R(0.306186217847897262275), PRT__R(0.19764235376052370825), 0 },
-        { PRT__R(0.522912516583797217486), PRT__R(-0.684653196881457641821), PRT__R(0.572821961869480000824), 0 },
-        { PRT__R(0.701560760020114009797), PRT__R(0.661437827766147647625), PRT__R(-0.795495128834865964951), 0 },
-        { PRT__R(0.125), PRT__R(0.8125), PRT__R(0.0625), 0 },
-        { PRT__R(0.405046293650491264435), PRT__R(-0.419262745781210568077), PRT__R(0.905711046636839910857), 0 },
-        { PRT__R(0.905711046636839910857), PRT__R(0.405046293650491264435), PRT__R(-0.419262745781210568077), 0 },
-        { 0, PRT__R(-0.5), PRT__R(0.5), 0 },
-        { 0, PRT__R(-0.866025403784438646764), PRT__R(-0.866025403784438646764), 0 },
-        { PRT__R(0.484122918275927110647), PRT__R(0.306186217847897262275), PRT__R(0.19764235376052370825), 0 },
-        { PRT__R(0.661437827766147647625), PRT__R(-0.795495128834865964951), PRT__R(0.701560760020114009797), 0 },
-        { PRT__R(0.572821961869480000824), PRT__R(0.522912516583797217486), PRT__R(-0.684653196881457641821), 0 }
+        { 0.484122918275927110647, 0.306186217847897262275, 0.19764235376052370825, 0 },
+        { 0.522912516583797217486, -0.684653196881457641821, 0.572821961869480000824, 0 },
+        { 0.701560760020114009797, 0.661437827766147647625, -0.795495128834865964951, 0 },
+        { 0.125, 0.8125, 0.0625, 0 },
+        { 0.405046293650491264435, -0.419262745781210568077, 0.905711046636839910857, 0 },
+        { 0.905711046636839910857, 0.405046293650491264435, -0.419262745781210568077, 0 },
+        { 0, -0.5, 0.5, 0 },
+        { 0, -0.866025403784438646764, -0.866025403784438646764, 0 },
+        { 0.484122918275927110647, 0.306186217847897262275, 0.19764235376052370825, 0 },
+        { 0.661437827766147647625, -0.795495128834865964951, 0.701560760020114009797, 0 },
+        { 0.572821961869480000824, 0.522912516583797217486, -0.684653196881457641821, 0 }
     };
+#else
+    static const prt_real c[][4] = {
+        { 0.484122932f, 0.306186199f, 0.197642356f, 0 },
+        { 0.522912562f, -0.684653223f, 0.572821975f, 0 },
+        { 0.701560736f, 0.661437809f, -0.795495093f, 0 },
+        { 0.125f, 0.8125f, 0.0625f, 0 },
+        { 0.405046284f, -0.419262737f, 0.905711055f, 0 },
+        { 0.905711055f, 0.405046284f, -0.419262737f, 0 },
+        { 0, -0.5f, 0.5f, 0 },
+        { 0, -0.866025388f, -0.866025388f, 0 },
+        { 0.484122932f, 0.306186199f, 0.197642356f, 0 },
+        { 0.661437809f, -0.795495093f, 0.701560736f, 0 },
+        { 0.572821975f, 0.522912562f, -0.684653223f, 0 }
+    };
+#endif
     prt__quad even_cos = v->even_cos;
     prt__quad odd_cos = v->odd_cos;
     prt__quad even_sin = v->even_sin;
@@ -17095,21 +17155,39 @@ PRT__INLINE void prt__swap_yz_5(prt__classes *v) {
 
 /* y and z swapped in band 6 */
 PRT__INLINE void prt__swap_yz_6(prt__classes *v) {
+#ifdef PRT_DOUBLE
     static const prt_real c[][4] = {
-        { PRT__R(-0.3125), PRT__R(-0.53125), PRT__R(0.8125), PRT__R(0.03125) },
-        { PRT__R(-0.452855523318419955429), PRT__R(-0.171163299220364410455), PRT__R(-0.253876200144873761264), PRT__R(-0.671693289381396157476) },
-        { PRT__R(-0.496078370824610735719), PRT__R(0.695268608165218401442), PRT__R(-0.496078370824610735719), PRT__R(0.695268608165218401442) },
-        { PRT__R(-0.671693289381396157476), PRT__R(-0.452855523318419955429), PRT__R(-0.171163299220364410455), PRT__R(-0.253876200144873761264) },
-        { PRT__R(0.19764235376052370825), PRT__R(0.684653196881457641821), PRT__R(0.108253175473054830845), 0 },
-        { PRT__R(0.433012701892219323382), PRT__R(-0.463512405443478934294), PRT__R(0.802827036166570563757), 0 },
-        { PRT__R(0.879452954966893041481), PRT__R(0.5625), PRT__R(-0.586301969977928694321), 0 },
-        { 0, PRT__R(0.19764235376052370825), PRT__R(0.684653196881457641821), PRT__R(0.108253175473054830845) },
-        { 0, PRT__R(0.5625), PRT__R(-0.586301969977928694321), PRT__R(0.879452954966893041481) },
-        { 0, PRT__R(0.802827036166570563757), PRT__R(0.433012701892219323382), PRT__R(-0.463512405443478934294) },
-        { PRT__R(0.625), PRT__R(0.0625), PRT__R(0.3125), 0 },
-        { PRT__R(0.59292706128157112475), PRT__R(-0.802827036166570563757), PRT__R(0.507752400289747522529), 0 },
-        { PRT__R(0.507752400289747522529), PRT__R(0.59292706128157112475), PRT__R(-0.802827036166570563757), 0 }
+        { -0.3125, -0.53125, 0.8125, 0.03125 },
+        { -0.452855523318419955429, -0.171163299220364410455, -0.253876200144873761264, -0.671693289381396157476 },
+        { -0.496078370824610735719, 0.695268608165218401442, -0.496078370824610735719, 0.695268608165218401442 },
+        { -0.671693289381396157476, -0.452855523318419955429, -0.171163299220364410455, -0.253876200144873761264 },
+        { 0.19764235376052370825, 0.684653196881457641821, 0.108253175473054830845, 0 },
+        { 0.433012701892219323382, -0.463512405443478934294, 0.802827036166570563757, 0 },
+        { 0.879452954966893041481, 0.5625, -0.586301969977928694321, 0 },
+        { 0, 0.19764235376052370825, 0.684653196881457641821, 0.108253175473054830845 },
+        { 0, 0.5625, -0.586301969977928694321, 0.879452954966893041481 },
+        { 0, 0.802827036166570563757, 0.433012701892219323382, -0.463512405443478934294 },
+        { 0.625, 0.0625, 0.3125, 0 },
+        { 0.59292706128157112475, -0.802827036166570563757, 0.507752400289747522529, 0 },
+        { 0.507752400289747522529, 0.59292706128157112475, -0.802827036166570563757, 0 }
     };
+#else
+    static const prt_real c[][4] = {
+        { -0.3125f, -0.53125f, 0.8125f, 0.03125f },
+        { -0.452855527f, -0.171163291f, -0.253876209f, -0.671693265f },
+        { -0.496078372f, 0.695268631f, -0.496078372f, 0.695268631f },
+        { -0.671693265f, -0.452855527f, -0.171163291f, -0.253876209f },
+        { 0.197642341f, 0.684653223f, 0.108253181f, 0 },
+        { 0.433012724f, -0.463512421f, 0.80282706f, 0 },
+        { 0.879452944f, 0.5625f, -0.586301923f, 0 },
+        { 0, 0.197642341f, 0.684653223f, 0.108253181f },
+        { 0, 0.5625f, -0.586301923f, 0.879452944f },
+        { 0, 0.80282706f, 0.433012724f, -0.463512421f },
+        { 0.625f, 0.0625f, 0.3125f, 0 },
+        { 0.592927039f, -0.80282706f, 0.507752419f, 0 },
+        { 0.507752419f, 0.592927039f, -0.80282706f, 0 }
+    };
+#endif
     prt__quad even_cos = v->even_cos;
     prt__quad odd_cos = v->odd_cos;
     prt__quad even_sin = v->even_sin;
@@ -17131,23 +17209,43 @@ PRT__INLINE void prt__swap_yz_6(prt__classes *v) {
 
 /* y and z swapped in band 7 */
 PRT__INLINE void prt__swap_yz_7(prt__classes *v) {
+#ifdef PRT_DOUBLE
     static const prt_real c[][4] = {
-        { PRT__R(-0.413398642353842279766), PRT__R(-0.419844651329512592613), PRT__R(0.78125), PRT__R(0.0584633966683428341497) },
-        { PRT__R(-0.429616471402110000618), PRT__R(-0.0732877462472410867901), PRT__R(-0.29810600044279551536), PRT__R(-0.457681828621150306643) },
-        { PRT__R(-0.47495887979908323849), PRT__R(0.699120541287409177209), PRT__R(-0.538552748112940186861), PRT__R(0.792728180872863885852) },
-        { PRT__R(-0.64725984928774934788), PRT__R(-0.574099158464807366765), PRT__R(0.103644524698606245285), PRT__R(-0.398360899499436314846) },
-        { PRT__R(-0.078125), PRT__R(-0.609375), PRT__R(0.671875), PRT__R(0.015625) },
-        { PRT__R(-0.243569644814373369402), PRT__R(-0.570044885842334349067), PRT__R(-0.14905300022139775768), PRT__R(-0.856244297426266074633) },
-        { PRT__R(-0.448793956760783489051), PRT__R(0.494352875611136705361), PRT__R(-0.448793956760783489051), PRT__R(0.494352875611136705361) },
-        { PRT__R(-0.856244297426266074633), PRT__R(-0.243569644814373369402), PRT__R(-0.570044885842334349067), PRT__R(-0.14905300022139775768) },
-        { 0, PRT__R(0.3125), PRT__R(0.5), PRT__R(0.1875) },
-        { 0, PRT__R(0.586301969977928694321), PRT__R(-0.637377439199098103754), PRT__R(0.747391296443837376321) },
-        { 0, PRT__R(0.747391296443837376321), PRT__R(0.586301969977928694321), PRT__R(-0.637377439199098103754) },
-        { PRT__R(-0.413398642353842279766), PRT__R(-0.419844651329512592613), PRT__R(0.78125), PRT__R(0.0584633966683428341497) },
-        { PRT__R(-0.574099158464807366765), PRT__R(0.103644524698606245285), PRT__R(-0.398360899499436314846), PRT__R(-0.64725984928774934788) },
-        { PRT__R(-0.538552748112940186861), PRT__R(0.792728180872863885852), PRT__R(-0.47495887979908323849), PRT__R(0.699120541287409177209) },
-        { PRT__R(-0.457681828621150306643), PRT__R(-0.429616471402110000618), PRT__R(-0.0732877462472410867901), PRT__R(-0.29810600044279551536) }
+        { -0.413398642353842279766, -0.419844651329512592613, 0.78125, 0.0584633966683428341497 },
+        { -0.429616471402110000618, -0.0732877462472410867901, -0.29810600044279551536, -0.457681828621150306643 },
+        { -0.47495887979908323849, 0.699120541287409177209, -0.538552748112940186861, 0.792728180872863885852 },
+        { -0.64725984928774934788, -0.574099158464807366765, 0.103644524698606245285, -0.398360899499436314846 },
+        { -0.078125, -0.609375, 0.671875, 0.015625 },
+        { -0.243569644814373369402, -0.570044885842334349067, -0.14905300022139775768, -0.856244297426266074633 },
+        { -0.448793956760783489051, 0.494352875611136705361, -0.448793956760783489051, 0.494352875611136705361 },
+        { -0.856244297426266074633, -0.243569644814373369402, -0.570044885842334349067, -0.14905300022139775768 },
+        { 0, 0.3125, 0.5, 0.1875 },
+        { 0, 0.586301969977928694321, -0.637377439199098103754, 0.747391296443837376321 },
+        { 0, 0.747391296443837376321, 0.586301969977928694321, -0.637377439199098103754 },
+        { -0.413398642353842279766, -0.419844651329512592613, 0.78125, 0.0584633966683428341497 },
+        { -0.574099158464807366765, 0.103644524698606245285, -0.398360899499436314846, -0.64725984928774934788 },
+        { -0.538552748112940186861, 0.792728180872863885852, -0.47495887979908323849, 0.699120541287409177209 },
+        { -0.457681828621150306643, -0.429616471402110000618, -0.0732877462472410867901, -0.29810600044279551536 }
     };
+#else
+    static const prt_real c[][4] = {
+        { -0.413398623f, -0.419844657f, 0.78125f, 0.0584633946f },
+        { -0.429616451f, -0.0732877478f, -0.298105985f, -0.457681805f },
+        { -0.474958867f, 0.699120522f, -0.538552761f, 0.792728186f },
+        { -0.647259891f, -0.574099183f, 0.103644527f, -0.398360908f },
+        { -0.078125f, -0.609375f, 0.671875f, 0.015625f },
+        { -0.243569657f, -0.570044875f, -0.149053007f, -0.856244266f },
+        { -0.448793977f, 0.494352877f, -0.448793977f, 0.494352877f },
+        { -0.856244266f, -0.243569657f, -0.570044875f, -0.149053007f },
+        { 0, 0.3125f, 0.5f, 0.1875f },
+        { 0, 0.586301982f, -0.637377441f, 0.747391284f },
+        { 0, 0.747391284f, 0.586301982f, -0.637377441f },
+        { -0.413398623f, -0.419844657f, 0.78125f, 0.0584633946f },
+        { -0.574099183f, 0.103644527f, -0.398360908f, -0.647259891f },
+        { -0.538552761f, 0.792728186f, -0.474958867f, 0.699120522f },
+        { -0.457681805f, -0.429616451f, -0.0732877478f, -0.298105985f }
+    };
+#endif
     prt__quad even_cos = v->even_cos;
     prt__quad odd_cos = v->odd_cos;
     prt__quad even_sin = v->even_sin;

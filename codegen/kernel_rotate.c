@@ -4,6 +4,7 @@
    mixes only (l,m) with (l,-m), and the matrix of S is constant, symmetric, and three quarters empty [Pinchon 2007]. */
 #include "kernels.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -53,6 +54,70 @@ static xreal swap_entry(int l, int m, int k) {
                 for (b = -i; b <= i; b++) block[i][i + a][i + b] = exact(i, recursion(i, a, b));
     }
     return block[l][l + m][l + k];
+}
+
+/* ---- the same in float ----
+
+   A turn swaps twice, and a thousand small turns two thousand times: what matters is that the swap of the rounded matrix
+   is still its own inverse, not that each entry is the nearest. So the entries of a band are rounded together, each to
+   one of the two floats beside it, for the least |J J - 1|. Found by turning over one entry or two at a time. */
+
+static float rounded[LARGEST][SIZE][SIZE];
+typedef struct entry { int row, column; float value[2]; } entry;
+
+static xreal not_inverse(int l) {
+    xreal sum = 0;
+    int i, j, k;
+    for (i = 0; i <= 2 * l; i++)
+        for (j = 0; j <= i; j++) {
+            xreal dot = i == j ? -1 : 0;
+            for (k = 0; k <= 2 * l; k++) dot += (xreal)rounded[l][i][k] * (xreal)rounded[l][k][j];
+            sum += dot * dot;
+        }
+    return sum;
+}
+
+static void turn_over(int l, const entry *e) {
+    float old = rounded[l][e->row][e->column], new_value = old == e->value[0] ? e->value[1] : e->value[0];
+    rounded[l][e->row][e->column] = rounded[l][e->column][e->row] = new_value;
+}
+
+static int collect_entries(int l, entry *entries) {
+    int i, j, count = 0;
+    for (i = 0; i <= 2 * l; i++)
+        for (j = 0; j <= i; j++) {
+            xreal exact_value = swap_entry(l, i - l, j - l);
+            entry e = { i, j, { (float)exact_value, 0 } };
+            rounded[l][i][j] = rounded[l][j][i] = e.value[0];
+            if ((xreal)e.value[0] == exact_value) continue;
+            e.value[1] = nextafterf(e.value[0], (xreal)e.value[0] < exact_value ? 2.0f : -2.0f);
+            entries[count++] = e;
+        }
+    return count;
+}
+
+static void round_together(int l) {
+    static entry entries[SIZE * SIZE];
+    int count = collect_entries(l, entries), i, j, better = 1;
+    xreal least = not_inverse(l);
+    while (better) {
+        better = 0;
+        for (i = 0; i < count; i++)
+            for (j = 0; j <= i; j++) {
+                xreal now;
+                turn_over(l, &entries[i]);
+                if (j < i) turn_over(l, &entries[j]);
+                now = not_inverse(l);
+                if (now < least) { least = now; better = 1; continue; }
+                turn_over(l, &entries[i]);
+                if (j < i) turn_over(l, &entries[j]);
+            }
+    }
+}
+
+static float swap_entry_float(int l, int m, int k) {
+    if (rounded[l][l][l] == 0 && rounded[l][0][2 * l] == 0 && rounded[l][0][2 * l - 1] == 0) round_together(l);
+    return rounded[l][l + m][l + k];
 }
 
 /* ---- one vector, straight-line ---- */
@@ -290,8 +355,10 @@ static const swap_form forms[] = {
 };
 #undef END
 
-/* The constants of a term, with each matrix entry counted as done; 1 if they are 1 in every lane that has a meaning. */
-static int term_constants(const swap_form *form, const swap_term *t, int done[LARGEST][SIZE][SIZE], xreal *constant) {
+/* The constants of a term, exact or in float, with each matrix entry counted as done; 1 if they are 1 in every lane
+   that has a meaning. */
+static int term_constants(const swap_form *form, const swap_term *t, int in_float, int done[LARGEST][SIZE][SIZE],
+                          xreal *constant) {
     int i, ones = 1;
     for (i = 0; i < 4; i++) {
         label to = form->lanes[t->to][i];
@@ -301,7 +368,7 @@ static int term_constants(const swap_form *form, const swap_term *t, int done[LA
             ones &= !to.l;
             continue;
         }
-        constant[i] = swap_entry(to.l, to.m, from.m);
+        constant[i] = in_float ? (xreal)swap_entry_float(to.l, to.m, from.m) : swap_entry(to.l, to.m, from.m);
         ones &= constant[i] == 1;
     }
     return ones;
@@ -326,28 +393,37 @@ static void print_source(FILE *to, const swap_term *t) {
                 t->lane[1], t->lane[2], t->lane[3]);
 }
 
-static void print_swap_form(FILE *to, const swap_form *form) {
-    static int done[LARGEST][SIZE][SIZE];
+/* The table of constants; product[term] = its row there + 1, or 0. */
+static void print_swap_constants(FILE *to, const swap_form *form, int in_float, int *product) {
+    int done[LARGEST][SIZE][SIZE] = { { { 0 } } }, i, rows = 0;
     const swap_term *t;
-    int i, rows = 0, product[16] = { 0 };
-    fprintf(to, "/* y and z swapped in band%s %d", form->first_band < form->last_band ? "s" : "", form->first_band);
-    if (form->first_band < form->last_band) fprintf(to, " and %d", form->last_band);
-    fprintf(to, " */\nPRT__INLINE void prt__swap_yz_%d(prt__classes *v) {\n    static const prt_real c[][4] = {\n",
-            form->last_band);
+    fprintf(to, "    static const prt_real c[][4] = {\n");
     for (t = form->terms; t->lane[0] >= 0; t++) {
         xreal constant[4];
-        if (term_constants(form, t, done, constant)) continue;
+        if (term_constants(form, t, in_float, done, constant)) continue;
         product[t - form->terms] = ++rows;
         fprintf(to, "%s        { ", rows > 1 ? ",\n" : "");
         for (i = 0; i < 4; i++) {
             char text[64];
-            x_print(constant[i], 21, text);
-            fprintf(to, constant[i] == 0 ? "%s0" : "%sPRT__R(%s)", i ? ", " : "", text);
+            x_print(constant[i], in_float ? 9 : 21, text);
+            fprintf(to, constant[i] == 0 ? "%s0" : in_float ? "%s%sf" : "%s%s", i ? ", " : "", text);
         }
         fprintf(to, " }");
     }
     check_complete(form, done);
     fprintf(to, "\n    };\n");
+}
+
+static void print_swap_form(FILE *to, const swap_form *form) {
+    const swap_term *t;
+    int i, product[16] = { 0 };
+    fprintf(to, "/* y and z swapped in band%s %d", form->first_band < form->last_band ? "s" : "", form->first_band);
+    if (form->first_band < form->last_band) fprintf(to, " and %d", form->last_band);
+    fprintf(to, " */\nPRT__INLINE void prt__swap_yz_%d(prt__classes *v) {\n#ifdef PRT_DOUBLE\n", form->last_band);
+    print_swap_constants(to, form, 0, product);
+    fprintf(to, "#else\n");
+    print_swap_constants(to, form, 1, product);
+    fprintf(to, "#endif\n");
     for (i = 0; i < CLASSES; i++) fprintf(to, "    prt__quad %s = v->%s;\n", class_name[i], class_name[i]);
     for (t = form->terms; t->lane[0] >= 0; t++) {
         int row = product[t - form->terms], first = t == form->terms || t[-1].to != t->to;
