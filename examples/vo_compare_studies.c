@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "point_lights.h"
+#include "progress.h"
 #include "reference.h"
 #include "vector.h"
 
@@ -28,31 +29,37 @@ prt_vo_params cap_law(double degrees) {
     return p;
 }
 
-int study_laws(study *d, why *w) {
+/* Every law against one size of light; the progress line counts laws. */
+static void judge_laws(study *d, int size, const shadow_truth *traced, progress *p) {
     law_study *l = &d->laws;
-    int a, k;
+    int k;
+    l->none[size] = shadow_law_error(&d->shapes.baked, traced, NULL);
+    l->ao[size] = shadow_ao_error(&d->shapes.baked, traced);
+    for (k = 0; k < STRENGTHS + CAPS && !*d->stop; k++) {
+        prt_vo_params law = k < STRENGTHS ? sine_law(strengths[k]) : cap_law(cap_angles[k - STRENGTHS]);
+        shadow_error e = shadow_law_error(&d->shapes.baked, traced, &law);
+        if (k < STRENGTHS) l->sine[k][size] = e; else l->cap[k - STRENGTHS][size] = e;
+        progress_show(p, size * (STRENGTHS + CAPS) + k + 1);
+    }
+}
+
+int study_laws(study *d, why *w) {
+    double laws = STRENGTHS + CAPS;
+    progress p;
+    int a;
+    progress_start(&p, "shadow laws: factors", LIGHT_SIZES * laws, 0, "factors",
+                   (double)d->shapes.shining.mesh.point_count * d->o.directions);
     for (a = 0; a < LIGHT_SIZES; a++) {
         shadow_truth traced;
         int failed = shadow_truth_trace(&d->shapes.baked, d->o.directions, light_sizes[a] * degree, &traced, w);
-        if (!failed) {
-            l->none[a] = shadow_law_error(&d->shapes.baked, &traced, NULL);
-            l->ao[a] = shadow_ao_error(&d->shapes.baked, &traced);
-            for (k = 0; k < STRENGTHS; k++) {
-                prt_vo_params p = sine_law(strengths[k]);
-                l->sine[k][a] = shadow_law_error(&d->shapes.baked, &traced, &p);
-            }
-            for (k = 0; k < CAPS; k++) {
-                prt_vo_params p = cap_law(cap_angles[k]);
-                l->cap[k][a] = shadow_law_error(&d->shapes.baked, &traced, &p);
-            }
-        }
+        if (!failed) judge_laws(d, a, &traced, &p);
         shadow_truth_free(&traced);
         if (failed) return -1;
     }
-    return 0;
+    progress_end(&p, LIGHT_SIZES * laws);
+    return *d->stop ? why_set(w, "interrupted") : 0;
 }
 
-/* A ball over a platform under one low light, direct light alone: the pointy shadows of section 7.7.2. */
 static int paint_law(stage *s, const prt_vo_params *law, const prt_point_light *light, picture *to, why *w) {
     int points = s->shining.mesh.point_count, failed;
     prt_rgb *colors = (prt_rgb *)malloc((size_t)points * sizeof *colors);
@@ -115,6 +122,7 @@ static void light_alone(stage *s, const char *name, prt_vec3 position) {
     r->lights[0].color = rgb(1, 1, 1);
 }
 
+/* A ball over a platform under one low light, direct light alone: the pointy shadows of section 7.7.2. */
 int study_ball(study *d, why *w) {
     static const char *const heads[LAWS + 1] = { "traced", "sine law, N = 1.5", "sine law, N = 5.5",
                                                  "cap law, light of 5°", "cap law, light of 20°" };

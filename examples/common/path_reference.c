@@ -103,7 +103,7 @@ typedef struct light_path { surface at; prt_rgb weight; random_stream random; } 
 
 typedef struct worker {
     path_reference *r;
-    const photon_map *caustics;        /* of the half that is at work */
+    const photon_map *caustics, *coarse;        /* of the half that is at work */
     int            in_group[PATH_GROUPS], group_start[PATH_GROUPS + 1], by_group[PATH_LIGHTS];
     light_path           *paths;             /* [samples] */
     prt_ray        *rays;              /* [most] */
@@ -149,12 +149,12 @@ static int direct_light(worker *k, const surface *s, prt_rgb *sum) {
 }
 
 /* Adds the light of caustics that leaves s, weighted, to sum[group]. */
-static void add_caustics(const worker *k, const surface *s, prt_rgb weight, prt_rgb *sum) {
+static void add_caustics(const worker *k, const photon_map *map, const surface *s, prt_rgb weight, prt_rgb *sum) {
     prt_rgb light[PATH_GROUPS];
     int g;
-    if (k->caustics->count == 0 || s->inside) return;
+    if (map->count == 0 || s->inside) return;
     memset(light, 0, sizeof light);
-    photon_map_add(k->caustics, s->position, s->normal, k->r->group, light);
+    photon_map_add(map, s->position, s->normal, k->r->group, light);
     weight = rgb_times(weight, s->m->diffuse);
     for (g = 0; g < k->r->group_count; g++) {
         sum[g].r += weight.r * light[g].r;
@@ -207,7 +207,7 @@ static int light_paths(worker *k, int alive, prt_rgb *sum) {
     int i, g, count = 0;
     for (i = 0; i < alive; i++) {
         light_path *p = &k->paths[i];
-        add_caustics(k, &p->at, rgb_scale(p->weight, 1.0 / r->samples), sum);
+        add_caustics(k, k->coarse, &p->at, rgb_scale(p->weight, 1.0 / r->samples), sum);
         for (g = 0; g < r->group_count; g++) {
             int n = k->in_group[g], chosen = (int)(random_next(&p->random) * n);
             if (n)
@@ -253,7 +253,8 @@ static int shade_query(worker *k, int query) {
         prt_rgb sum[PATH_GROUPS];
         memcpy(sum, direct, sizeof sum);
         k->caustics = &r->caustics[half];
-        if (q->part >= 0) add_caustics(k, &s, rgb(1, 1, 1), sum);
+        k->coarse = &r->coarse[half];
+        if (q->part >= 0) add_caustics(k, k->caustics, &s, rgb(1, 1, 1), sum);
         alive = q->part >= 0 ? start_paths(k, &s, query, half) : 0;
         for (bounce = 1; alive > 0 && bounce <= r->depth; bounce++) {
             alive = arrive(k, alive);
@@ -341,11 +342,19 @@ int path_reference_trace(path_reference *r, why *w) {
     if (r->group_count < 1 || r->group_count > PATH_GROUPS || r->light_count < 0 || r->light_count > PATH_LIGHTS)
         return why_set(w, "the reference takes 1 to %d groups of at most %d lights in all", PATH_GROUPS, PATH_LIGHTS);
     memset(r->caustics, 0, sizeof r->caustics);
-    for (half = 0; half < PATH_HALVES && !failed; half++)
-        failed = photon_map_make(r->scene, r->tracer, r->light_count, r->lights, r->photons, disc,
-                                 r->seed * PATH_HALVES + (uint64_t)half, &r->caustics[half], w);
+    memset(r->coarse, 0, sizeof r->coarse);
+    for (half = 0; half < PATH_HALVES && !failed; half++) {
+        uint64_t seed = r->seed * PATH_HALVES + (uint64_t)half;
+        failed = photon_map_make(r->scene, r->tracer, r->light_count, r->lights, r->photons, disc, seed,
+                                 &r->caustics[half], w) ||
+                 photon_map_make(r->scene, r->tracer, r->light_count, r->lights, r->photons / 32, disc, seed,
+                                 &r->coarse[half], w);
+    }
     if (!failed) failed = trace_queries(r, w);
-    for (half = 0; half < PATH_HALVES; half++) photon_map_free(&r->caustics[half]);
+    for (half = 0; half < PATH_HALVES; half++) {
+        photon_map_free(&r->caustics[half]);
+        photon_map_free(&r->coarse[half]);
+    }
     return failed;
 }
 

@@ -25,7 +25,7 @@ typedef struct path_reference {
     int                   depth;       /* bounces, 1: light that was reflected once on its way; at most */
     int                   photons;     /* from each light to each transmissive part, in each half; 0: no caustics. Their
                                           density is taken over discs of .015 of the scene's radius; surfaces answer
-                                          diffusely */
+                                          diffusely. Further bounces see a 32nd of them */
     prt_real              bias;
     uint64_t              seed;
     int                   threads;
@@ -34,7 +34,7 @@ typedef struct path_reference {
     int                   query_count;
     const path_query      *queries;
     prt_rgb               *out[PATH_HALVES];     /* [query_count][group_count] */
-    photon_map            caustics[PATH_HALVES];           /* while it runs */
+    photon_map            caustics[PATH_HALVES], coarse[PATH_HALVES];     /* while it runs */
     int                   done;        /* in: queries that need no work; out: finished ones, from the first on */
 } path_reference;
 

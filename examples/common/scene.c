@@ -46,9 +46,8 @@ static void add_triangle(builder *b, int i, int j, int k) {
 typedef prt_vec3 (*sheet_form)(const void *what, double u, double v);
 enum { WRAP_U = 1, WRAP_V = 2, POLE_BELOW = 4, POLE_ABOVE = 8 };   /* closed; a row that is one point */
 
-static int sheet_point(const builder *b, int first, int columns, int rows, int flags, int i, int j) {
+static int sheet_point(int first, int columns, int rows, int flags, int i, int j) {
     int width = columns + !(flags & WRAP_U);
-    (void)b;
     if (flags & WRAP_U) i %= columns;
     if (flags & WRAP_V) j %= rows;
     if (flags & POLE_BELOW)
@@ -65,10 +64,10 @@ static void add_sheet(builder *b, int columns, int rows, int flags, sheet_form f
     }
     for (j = 0; j < rows; j++) {
         for (i = 0; i < columns; i++) {
-            int a = sheet_point(b, first, columns, rows, flags, i, j),
-                c = sheet_point(b, first, columns, rows, flags, i + 1, j);
-            int d = sheet_point(b, first, columns, rows, flags, i + 1, j + 1);
-            int e = sheet_point(b, first, columns, rows, flags, i, j + 1);
+            int a = sheet_point(first, columns, rows, flags, i, j),
+                c = sheet_point(first, columns, rows, flags, i + 1, j);
+            int d = sheet_point(first, columns, rows, flags, i + 1, j + 1);
+            int e = sheet_point(first, columns, rows, flags, i, j + 1);
             if (a != c) add_triangle(b, a, c, d);
             if (d != e) add_triangle(b, a, d, e);
         }
