@@ -819,12 +819,12 @@ PRTDEF prt_rgb prt_fiv_total(int size, const prt_rgb *total, prt_vec3 normal);
 /* ---------------------------------------------------------------------------------------------------- >>vo ---- */
 
 /* Vector occluders [Sherif 2013, chapter 7]: shadows, caustics and interreflections of point lights, from a few vectors
-   for each occluder that a point sees. An empirical model, as Phong's: plausible, fast, and not a solution of the rendering
-   equation; docs/papers.md lists what the thesis leaves open and how it is decided here. prt_bake_vo (prt_bake.h) fills
-   prt_vo_occluder.
+   for each occluder that a point sees. An empirical model, as Phong's: plausible, fast, and not a solution of the
+   rendering equation; docs/papers.md lists what the thesis leaves open and how it is decided here. prt_bake_vo
+   (prt_bake.h) fills prt_vo_occluder.
 
-   With x the point, N its normal, l and l_P the unit directions to a light from x and from the occluder's position P, v the
-   direction from x to P, i the one from the eye to x, reflect(a, n) = a - 2 (n.a) n, r = reflect(i, N), and
+   With x the point, N its normal, l and l_P the unit directions to a light from x and from the occluder's position P,
+   v the direction from x to P, i the one from the eye to x, reflect(a, n) = a - 2 (n.a) n, r = reflect(i, N), and
    n_S = specular_normal/|specular_normal|, a light of colour c sends
      direct   c (diffuse max(0, N.l) + specular max(0, r.l)^shininess) times, for every occluder,
               (1 - T) block + T focus,  T = transmissive                                              (7.2, 7.3)
@@ -834,13 +834,14 @@ PRTDEF prt_rgb prt_fiv_total(int size, const prt_rgb *total, prt_vec3 normal);
      DD       c dd o.diffuse diffuse max(0, diffuse_normal.l_P)                     diffuse from diffuse
      DS       c ds o.specular diffuse |specular_normal| max(0, reflect(v, n_S).l_P)^gloss
      SS       c ss o.specular specular |specular_normal| max(0, r.v) max(0, reflect(r, n_S).l_P)^gloss, where N.v > 0
-   out = max(0, emissive + the sum over lights and occluders). No 1/pi and no falloff with distance: `color` is what arrives.
-   A zero vector, a factor F <= 0 and an exponent <= 0 give a power of 1; a light on x or on P has no direction from there,
-   so dot products with it are 0.
-   Bounded: every finite input gives a finite result; what overflows is clamped to the largest finite number. Continuous in
-   the place of every light (but where it meets x or P, where a direction has no limit), in the eye, and in every vector of
-   an occluder that is not zero, except that SS begins abruptly at N.v = 0, where no baked occluder stands.
-   occlusion, caustic and specular_normal may have any length but zero; normals of points should be unit. */
+   out = max(0, emissive + the sum over lights and occluders). No 1/pi and no falloff with distance: `color` is what
+   arrives.
+   A zero vector, a factor F <= 0 and an exponent <= 0 give a power of 1; a light on x or on P has no direction from
+   there, so dot products with it are 0.
+   Bounded: every finite input gives a finite result; what overflows is clamped to the largest finite number.
+   Continuous in the place of every light (but where it meets x or P, where a direction has no limit), in the eye, and
+   in every vector of an occluder that is not zero, except that SS begins abruptly at N.v = 0, where no baked occluder
+   stands. occlusion, caustic and specular_normal may have any length but zero; normals of points should be unit. */
 typedef struct prt_vo_occluder {       /* the thesis' eight vectors, with the two form factors beside them (7.2) */
     prt_vec3 position;                 /* mean visible position */
     prt_vec3 occlusion;                /* unit mean direction, zero: none */
@@ -851,16 +852,20 @@ typedef struct prt_vo_occluder {       /* the thesis' eight vectors, with the tw
     prt_rgb  diffuse, specular;
     prt_real form_factor, caustic_factor;
 } prt_vo_occluder;
-typedef struct prt_vo_point { prt_vec3 position, normal; prt_rgb diffuse, specular, emissive; prt_real shininess; } prt_vo_point;
+typedef struct prt_vo_point {
+    prt_vec3 position, normal;
+    prt_rgb diffuse, specular, emissive;
+    prt_real shininess;
+} prt_vo_point;
 typedef struct prt_point_light { prt_vec3 position; prt_rgb color; } prt_point_light;
 
 enum { PRT_VO_NO_SHADOW = 1, PRT_VO_NO_CAUSTIC = 2, PRT_VO_NO_DD = 4, PRT_VO_NO_DS = 8, PRT_VO_NO_SS = 16 };
 
 typedef enum prt_vo_law {
-    PRT_VO_SINE = 0,                   /* block = s2^(N_sh F) [Sherif 2013, equation 7.2]: an occluder hides a light on its
-                                          axis fully, however small it is, and one at 90 degrees never */
-    PRT_VO_CAP                         /* block = 1 - the share of the light's disc, of radius light_angle, behind a round
-                                          cap about `occlusion` that has the occluder's form factor: sin^2 a =
+    PRT_VO_SINE = 0,                   /* block = s2^(N_sh F) [Sherif 2013, equation 7.2]: an occluder hides a light on
+                                          its axis fully, however small it is, and one at 90 degrees never */
+    PRT_VO_CAP                         /* block = 1 - the share of the light's disc, of radius light_angle, behind a
+                                          round cap about `occlusion` of the occluder's form factor: sin^2 a =
                                           F/max(N.occlusion, F). The share within 0.023 (see [Oat 2007]) */
 } prt_vo_law;
 
@@ -877,25 +882,27 @@ typedef struct prt_vo_params {         /* zero-initialise; 0 means the default i
 
 /* Exit radiance towards the eye at one point, see above.
    Errors: PRT_ERR_COUNT (a count below 0); PRT_ERR_NULL. Values are not checked. out may not overlap the inputs.
-   Cost: for each light and occluder 30 operations and a power for block, the same for focus, 40 for DD, 15 and a power each
-   for DS and SS, where not off; a gloss that is an integer up to 64 needs products alone. About 45 ns an occluder and light.
-   Accuracy: 32 eps of the sum of |terms|, the direct one times (1 + sum of |its change for a turn of the directions by 1
-   radian|), for exponents to 13 (tests/test_vo.c). */
+   Cost: for each light and occluder 30 operations and a power for block, the same for focus, 40 for DD, 15 and a
+   power each for DS and SS, where not off; a gloss that is an integer up to 64 needs products alone. About 45 ns an
+   occluder and light.
+   Accuracy: 32 eps of the sum of |terms|, the direct one times (1 + sum of |its change for a turn of the directions
+   by 1 radian|), for exponents to 13 (tests/test_vo.c). */
 PRTDEF prt_result prt_vo_shade(const prt_vo_params *params, const prt_vo_point *point, prt_vec3 eye,
                                int occluder_count, const prt_vo_occluder *occluders,
                                int light_count, const prt_point_light *lights, prt_rgb *out);
 
 /* The same for many points, out[count]. Point k sees occluders[first[k]] ... occluders[first[k+1] - 1]:
-   first[count + 1], first[0] >= 0, not decreasing (PRT_ERR_COUNT). Each point is the same bits whatever count and place;
-   it differs from prt_vo_shade by rounding, and counts directions shorter than 5e-19 (float) as none.
-   Errors: PRT_ERR_COUNT, PRT_ERR_NULL. Cost: at 8 lights and 5 opaque occluders 80 ns a point for DD with AVX-512, 1.9 times
-   what its arithmetic takes at the peak rate and a 24th of the loop over points; 250 ns, a ninth, with SSE2 (bench rows
-   vo_dd, vo_all; Zen 5, gcc -O3). Packed: the same. Accuracy: 64 eps as above. */
+   first[count + 1], first[0] >= 0, not decreasing (PRT_ERR_COUNT). Each point is the same bits whatever count and
+   place; it differs from prt_vo_shade by rounding, and counts directions shorter than 5e-19 (float) as none.
+   Errors: PRT_ERR_COUNT, PRT_ERR_NULL. Cost: at 8 lights and 5 opaque occluders 80 ns a point for DD with AVX-512,
+   1.9 times what its arithmetic takes at the peak rate and a 24th of the loop over points; 250 ns, a ninth, with SSE2
+   (bench rows vo_dd, vo_all; Zen 5, gcc -O3). Packed: the same. Accuracy: 64 eps as above. */
 PRTDEF prt_result prt_vo_shade_n(const prt_vo_params *params, int count, const prt_vo_point *points, prt_vec3 eye,
                                  const int *first, const prt_vo_occluder *occluders,
                                  int light_count, const prt_point_light *lights, prt_rgb *out);
 
-/* Packed occluders: 40 bytes instead of 104 (float), or 20 where DS, SS and caustics are off. Words, from the lowest bit:
+/* Packed occluders: 40 bytes instead of 104 (float), or 20 where DS, SS and caustics are off. Words, from the lowest
+   bit:
      0  half x, half y                           the position from the point, (P - x)/unit; as GLSL's unpackHalf2x16
      1  half z, half form_factor
      2  occlusion                                octahedral, 16 bits each; as GLSL's unpackSnorm2x16
@@ -906,17 +913,18 @@ PRTDEF prt_result prt_vo_shade_n(const prt_vo_params *params, int count, const p
      7  specular_normal, specular.r              as 3
      8  specular.g, specular.b, transmissive.r, transmissive.g
      9  transmissive.b
-   Octahedral, of a unit vector v: (x, y)/(|x| + |y| + |z|), and below z = 0 (1 - |y|, 1 - |x|) with the signs of x and y
-   [Cigolle 2014]. A colour is (byte/255)^2. Directions of which the factor is 0 come back as zero vectors.
-   Errors: 2^-11 of each component of P - x, of factors and lengths; 0.004 degrees of occlusion and caustic, 0.06 of normals;
-   (sqrt(c) + 1/1020)/255 of a colour c (tests/test_vo.c). */
+   Octahedral, of a unit vector v: (x, y)/(|x| + |y| + |z|), and below z = 0 (1 - |y|, 1 - |x|) with the signs of x
+   and y [Cigolle 2014]. A colour is (byte/255)^2. Directions of which the factor is 0 come back as zero vectors.
+   Errors: 2^-11 of each component of P - x, of factors and lengths; 0.004 degrees of occlusion and caustic, 0.06 of
+   normals; (sqrt(c) + 1/1020)/255 of a colour c (tests/test_vo.c). */
 typedef struct prt_vo_packed { uint32_t word[10]; } prt_vo_packed;
 typedef struct prt_vo_packed_diffuse { uint32_t word[5]; } prt_vo_packed_diffuse;
 
-/* Packs and unpacks the occluders of one point at `position`; unit > 0 is a length of the scene's size (its radius): distances
-   from 6e-8 to 65504 units are held. out must not overlap the input.
-   Errors: PRT_ERR_COUNT; PRT_ERR_NULL; PRT_ERR_VALUE, before anything is written: unit not positive and finite; packing:
-   a number that is not finite, a colour outside 0 ... 1, a factor below 0 or above 65504, a distance above 65504 units.
+/* Packs and unpacks the occluders of one point at `position`; unit > 0 is a length of the scene's size (its radius):
+   distances from 6e-8 to 65504 units are held. out must not overlap the input.
+   Errors: PRT_ERR_COUNT; PRT_ERR_NULL; PRT_ERR_VALUE, before anything is written: unit not positive and finite;
+   packing: a number that is not finite, a colour outside 0 ... 1, a factor below 0 or above 65504, a distance above
+   65504 units.
    Cost: a packed occluder takes two passes of scalar code; unpacking is SIMD. */
 PRTDEF prt_result prt_vo_pack          (prt_real unit, prt_vec3 position, int count, const prt_vo_occluder *occluders,
                                         prt_vo_packed *out);
@@ -924,13 +932,15 @@ PRTDEF prt_result prt_vo_pack_diffuse  (prt_real unit, prt_vec3 position, int co
                                         prt_vo_packed_diffuse *out);
 PRTDEF prt_result prt_vo_unpack        (prt_real unit, prt_vec3 position, int count, const prt_vo_packed *packed,
                                         prt_vo_occluder *out);
-PRTDEF prt_result prt_vo_unpack_diffuse(prt_real unit, prt_vec3 position, int count, const prt_vo_packed_diffuse *packed,
+PRTDEF prt_result prt_vo_unpack_diffuse(prt_real unit, prt_vec3 position, int count,
+                                        const prt_vo_packed_diffuse *packed,
                                         prt_vo_occluder *out);
 
-/* prt_vo_shade_n from packed occluders, as if they were unpacked first. The second form holds nothing for caustics, DS and
-   SS: they are off whatever params says. Errors beside those of prt_vo_shade_n: PRT_ERR_VALUE (unit). */
-PRTDEF prt_result prt_vo_shade_packed_n(const prt_vo_params *params, prt_real unit, int count, const prt_vo_point *points,
-                                        prt_vec3 eye, const int *first, const prt_vo_packed *packed,
+/* prt_vo_shade_n from packed occluders, as if they were unpacked first. The second form holds nothing for caustics,
+   DS and SS: they are off whatever params says. Errors beside those of prt_vo_shade_n: PRT_ERR_VALUE (unit). */
+PRTDEF prt_result prt_vo_shade_packed_n(const prt_vo_params *params, prt_real unit, int count,
+                                        const prt_vo_point *points, prt_vec3 eye, const int *first,
+                                        const prt_vo_packed *packed,
                                         int light_count, const prt_point_light *lights, prt_rgb *out);
 PRTDEF prt_result prt_vo_shade_packed_diffuse_n(const prt_vo_params *params, prt_real unit, int count,
                                                 const prt_vo_point *points, prt_vec3 eye, const int *first,
@@ -945,10 +955,10 @@ typedef struct prt_vo_wave {
 } prt_vo_wave;
 
 /* Bends occlusion and caustic vectors as under moving water: for each wave in turn they are turned about cross(along,
-   across) by atan(frequency amplitude cos(frequency time + along.position + phase)). Lengths stay, and so does all else.
-   occluders[count] are those of the point at `position`; out[count] may be the same array.
-   Errors: PRT_ERR_COUNT; PRT_ERR_NULL; PRT_ERR_VALUE (time, position or a wave not finite, an axis or the cross product of
-   two that differs from length 1 by more than 1e-3), before anything is written. Occluders are not checked.
+   across) by atan(frequency amplitude cos(frequency time + along.position + phase)). Lengths stay, and so does all
+   else. occluders[count] are those of the point at `position`; out[count] may be the same array.
+   Errors: PRT_ERR_COUNT; PRT_ERR_NULL; PRT_ERR_VALUE (time, position or a wave not finite, an axis or the cross
+   product of two that differs from length 1 by more than 1e-3), before anything is written. Occluders are not checked.
    Cost: a cosine, a root and 20 operations a wave, and 30 a wave and occluder. Error: 2 eps a wave. */
 PRTDEF prt_result prt_vo_bend(int wave_count, const prt_vo_wave *waves, prt_real time, prt_vec3 position,
                               int count, const prt_vo_occluder *occluders, prt_vo_occluder *out);
@@ -6330,6 +6340,8 @@ PRT__INLINE prt_real prt__bounded_dot(prt_vec3 a, prt_vec3 b) {
     return prt__bounded(prt__bounded(a.x * b.x) + prt__bounded(a.y * b.y) + prt__bounded(a.z * b.z));
 }
 
+PRT__INLINE prt_real prt__above0_dot(prt_vec3 a, prt_vec3 b) { return prt__above0(prt__bounded_dot(a, b)); }
+
 /* v at length 1 and its length, through its largest component; zero where v has no direction. */
 PRT__STATIC prt_vec3 prt__direction(prt_vec3 v, prt_real *length) {
     prt_real x = prt__abs(v.x), y = prt__abs(v.y), z = prt__abs(v.z), most = x > y ? x : y, s;
@@ -6345,8 +6357,9 @@ PRT__STATIC prt_vec3 prt__direction(prt_vec3 v, prt_real *length) {
 /* The unit direction from a to b; halves, so that the difference cannot overflow. */
 PRT__STATIC prt_vec3 prt__towards(prt_vec3 a, prt_vec3 b) {
     const prt_real half = PRT__R(0.5);
+    prt_vec3 v = prt__vec3(half * b.x - half * a.x, half * b.y - half * a.y, half * b.z - half * a.z);
     prt_real length;
-    return prt__direction(prt__vec3(half * b.x - half * a.x, half * b.y - half * a.y, half * b.z - half * a.z), &length);
+    return prt__direction(v, &length);
 }
 
 PRT__STATIC prt_vec3 prt__reflect(prt_vec3 a, prt_vec3 n) {
@@ -6398,8 +6411,8 @@ PRT__STATIC prt_real prt__vo_gloss(const prt__vo_law *law, prt_real x) {
 
 /* ---- vectors of numbers ---- */
 
-/* The bits of a prt__vec: as prt__chosen for masks, where a comparison gives -1 or 0 in each lane; unsigned for exponents,
-   sums of which may wrap where the value makes no sense. */
+/* The bits of a prt__vec: as prt__chosen for masks, where a comparison gives -1 or 0 in each lane; unsigned for
+   exponents, sums of which may wrap where the value makes no sense. */
 #if PRT__SIMD
 #  ifdef PRT_DOUBLE
 typedef uint64_t prt__bits __attribute__((vector_size(PRT__VEC_BYTES)));
@@ -6447,14 +6460,14 @@ enum { PRT__ROOT_STEPS = 4, PRT__LOG_TERMS = 11, PRT__EXP_TERMS = 13 };
 enum { PRT__ROOT_STEPS = 3, PRT__LOG_TERMS = 5, PRT__EXP_TERMS = 7 };
 #endif
 
-/* A small whole number as a prt_real where mask is all ones, else 0. With -ffast-math sums may be taken in another order; the
-   mask keeps this difference from being torn apart. */
+/* A small whole number as a prt_real where mask is all ones, else 0. With -ffast-math sums may be taken in another
+   order; the mask keeps this difference from being torn apart. */
 PRT__INLINE prt__vec prt__vec_of_whole(prt__bits n, prt__chosen mask) {
     return prt__vec_masked(mask, prt__vec_of_bits(n + PRT__WHOLE_BITS) - PRT__R(PRT__WHOLE));
 }
 
-/* 1/sqrt(v) by Newton's method, 2 ulp: cheaper than a root and a division, and plain arithmetic. 0 where v is so small that
-   the square of that would overflow, so that v/|v| is 0 for vectors without length. */
+/* 1/sqrt(v) by Newton's method, 2 ulp: cheaper than a root and a division, and plain arithmetic. 0 where v is so
+   small that the square of that would overflow, so that v/|v| is 0 for vectors without length. */
 PRT__INLINE prt__vec prt__vec_inverse_root(prt__vec v) {
     prt__vec half = v * PRT__R(-0.5), y = prt__vec_of_bits(PRT__ROOT_GUESS - (prt__vec_bits(v) >> 1));
     int k;
@@ -6478,25 +6491,28 @@ PRT__INLINE prt__vec prt__vec_log2(prt__vec v) {
    NaN) where it overflows. */
 PRT__INLINE prt__vec prt__vec_exp2(prt__vec t) {
     static const prt_real series[14] = {                       /* ln(2)^k / k! */
-        PRT__R(1), PRT__R(6.93147180559945309417e-1), PRT__R(2.40226506959100712334e-1), PRT__R(5.55041086648215799532e-2),
-        PRT__R(9.61812910762847716198e-3), PRT__R(1.33335581464284434234e-3), PRT__R(1.54035303933816099544e-4),
+        PRT__R(1), PRT__R(6.93147180559945309417e-1), PRT__R(2.40226506959100712334e-1),
+        PRT__R(5.55041086648215799532e-2), PRT__R(9.61812910762847716198e-3), PRT__R(1.33335581464284434234e-3),
+        PRT__R(1.54035303933816099544e-4),
         PRT__R(1.52527338040598402800e-5), PRT__R(1.32154867901443094884e-6), PRT__R(1.01780860092396997275e-7),
         PRT__R(7.05491162080112332988e-9), PRT__R(4.44553827187081149760e-10), PRT__R(2.56784359934882051420e-11),
         PRT__R(1.36914888539041288809e-12)
     };
     prt__chosen counts = prt__vec_less(prt__vec_set(PRT__R(PRT__LEAST_POWER)), t);
     prt__bits n;
-    prt__vec sum = prt__vec_set(series[PRT__EXP_TERMS]), rest;
+    prt__vec sum = prt__vec_set(series[PRT__EXP_TERMS]), most = prt__vec_set(PRT__R(PRT__MOST_POWER)), rest;
     int k;
     t = prt__vec_select(counts, t, prt__vec_set(0));
-    t = prt__vec_select(prt__vec_less(t, prt__vec_set(PRT__R(PRT__MOST_POWER))), t, prt__vec_set(PRT__R(PRT__MOST_POWER)));
+    t = prt__vec_select(prt__vec_less(t, most), t, most);
     n = prt__vec_bits(t + PRT__R(PRT__ROUNDER)) - PRT__ROUNDER_BITS;
     rest = t - prt__vec_of_whole(n, counts);
     for (k = PRT__EXP_TERMS - 1; k >= 0; k--) sum = sum * rest + series[k];
     return prt__vec_masked(counts, prt__vec_of_bits(prt__vec_bits(sum) + (n << PRT__FRACTION)));
 }
 
-PRT__INLINE prt__vec prt__vec_dot3(const prt__vec *a, const prt__vec *b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+PRT__INLINE prt__vec prt__vec_dot3(const prt__vec *a, const prt__vec *b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
 /* v at length 1; adds the square of its length to *squares, which tells whether one overflowed. */
 PRT__INLINE prt__vec prt__vec_unit(prt__vec *v, prt__vec *squares) {
@@ -6537,11 +6553,12 @@ typedef struct prt__vo_seen_lanes {
     prt__vec diffuse[3], specular[3], form_factor, caustic_factor;
 } prt__vo_seen_lanes;
 
-/* What PRT__VO_LIGHTS lights send straight to the points: direction, product of the factors of translucent occluders, and
-   the logarithm of that of opaque ones. */
+/* What PRT__VO_LIGHTS lights send straight to the points: direction, product of the factors of translucent occluders,
+   and the logarithm of that of opaque ones. */
 typedef struct prt__vo_light_lanes { prt__vec l[3], factor[3], log_block; } prt__vo_light_lanes;
 
-/* The zero occluder, for lanes whose point sees fewer than others; a point without anything, for lanes past the last. */
+/* The zero occluder, for lanes whose point sees fewer than others; a point without anything, for lanes past the
+   last. */
 static const prt_vo_occluder prt__vo_none = { { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 },
                                               { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 }, 0, 0 };
 static const prt_vo_point prt__vo_nowhere = { { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 }, 0 };
@@ -6562,7 +6579,7 @@ PRT__INLINE prt__vec prt__vec_of_count(prt__bits n) { return prt__vec_of_whole(n
 /* Half floats, in the low 16 bits: the exponent is moved by a product, which serves subnormal numbers too. */
 PRT__INLINE prt__vec prt__vec_of_half(prt__bits h) {
 #ifdef PRT_DOUBLE
-    return prt__vec_of_bits(((h & 0x7fffu) << 42) | ((h & 0x8000u) << 48)) * 2.74306203439684434063e303;     /* 2^1008 */
+    return prt__vec_of_bits(((h & 0x7fffu) << 42) | ((h & 0x8000u) << 48)) * 2.74306203439684434063e303; /* 2^1008 */
 #else
     return prt__vec_of_bits(((h & 0x7fffu) << 13) | ((h & 0x8000u) << 16)) * 5192296858534827628530496329220096.0f;
 #endif
@@ -6685,7 +6702,8 @@ PRT__INLINE int prt__half_holds(double v) { return fabs(v) <= 65504; }         /
 
 /* Whether it can be packed; the words, where out is not NULL. */
 PRT__STATIC int prt__vo_pack_one(double unit, prt_vec3 at, const prt_vo_occluder *o, int words, uint32_t *out) {
-    double x = (double)o->position.x / unit - (double)at.x / unit, y = (double)o->position.y / unit - (double)at.y / unit;
+    double x = (double)o->position.x / unit - (double)at.x / unit;
+    double y = (double)o->position.y / unit - (double)at.y / unit;
     double z = (double)o->position.z / unit - (double)at.z / unit, f = (double)o->form_factor;
     double diffuse = prt__length3(o->diffuse_normal), specular = prt__length3(o->specular_normal);
     double focus = (double)o->caustic_factor;
@@ -6714,8 +6732,8 @@ PRT__STATIC int prt__vo_pack_one(double unit, prt_vec3 at, const prt_vo_occluder
 
 /* ---- one point ---- */
 
-/* Points and where their occluders stand: what prt_vo_shade_n and its kin were given. Packed occluders are rows of `words`
-   words; words 0: occluders are plain. */
+/* Points and where their occluders stand: what prt_vo_shade_n and its kin were given. Packed occluders are rows of
+   `words` words; words 0: occluders are plain. */
 typedef struct prt__vo_batch {
     prt__vo_law law;
     const prt_vo_point *points;
@@ -6782,8 +6800,9 @@ PRT__INLINE prt_real prt__vo_sin2(prt_vec3 d, prt_vec3 l) {
     return prt__dot3(d, l) > 0 && s < 1 ? s : 1;
 }
 
-/* Share of the smaller of two discs that lies behind the other, by how deep they are in each other, u = 0 outside ... 1 inside,
-   and by the ratio of their radii: the step [Oat 2007] uses, and a correction fitted to the area of the lens, within 0.023. */
+/* Share of the smaller of two discs that lies behind the other, by how deep they are in each other, u = 0 outside ...
+   1 inside, and by the ratio of their radii: the step [Oat 2007] uses, and a correction fitted to the area of the
+   lens, within 0.023. */
 #define PRT__LENS_STEP(u, ratio) ((u) * (u) * (3 - (u) - (u)) + \
     (u) * (1 - (u)) * ((1 - (u) - (u)) * (1 - (ratio)) * PRT__R(0.2) - (u) * (u) * (ratio) * PRT__R(1.4)))
 
@@ -6821,9 +6840,9 @@ PRT__STATIC prt_rgb prt__vo_sent(const prt__vo_law *law, const prt__vo_seen *s, 
     prt_vec3 l = prt__towards(s->position, light);
     prt_rgb sum = prt__rgb_scaled(s->dd, prt__above0(prt__bounded_dot(s->dd_dir, l)));
     if (!(law->off & PRT_VO_NO_DS))
-        sum = prt__rgb_plus(sum, prt__rgb_scaled(s->ds, prt__vo_gloss(law, prt__above0(prt__bounded_dot(s->ds_dir, l)))));
+        sum = prt__rgb_plus(sum, prt__rgb_scaled(s->ds, prt__vo_gloss(law, prt__above0_dot(s->ds_dir, l))));
     if (!(law->off & PRT_VO_NO_SS))
-        sum = prt__rgb_plus(sum, prt__rgb_scaled(s->ss, prt__vo_gloss(law, prt__above0(prt__bounded_dot(s->ss_dir, l)))));
+        sum = prt__rgb_plus(sum, prt__rgb_scaled(s->ss, prt__vo_gloss(law, prt__above0_dot(s->ss_dir, l))));
     return sum;
 }
 
@@ -6840,10 +6859,11 @@ PRT__STATIC void prt__vo_add_lights(const prt__vo_batch *b, int point, prt_vec3 
     prt_rgb direct[PRT__VO_LIGHTS];
     int j, k;
     for (j = 0; j < light_count; j++) {
+        prt_real gloss;
         l[j] = prt__towards(p->position, lights[j].position);
-        direct[j] = prt__rgb_scaled(p->specular, prt__bounded(prt__pow(prt__above0(prt__bounded_dot(mirror, l[j])),
-                                                                       prt__above0(p->shininess))));
-        direct[j] = prt__rgb_plus(direct[j], prt__rgb_scaled(p->diffuse, prt__above0(prt__bounded_dot(p->normal, l[j]))));
+        gloss = prt__pow(prt__above0_dot(mirror, l[j]), prt__above0(p->shininess));
+        direct[j] = prt__rgb_scaled(p->specular, prt__bounded(gloss));
+        direct[j] = prt__rgb_plus(direct[j], prt__rgb_scaled(p->diffuse, prt__above0_dot(p->normal, l[j])));
     }
     for (k = b->first[point]; k < b->first[point + 1]; k++) {
         prt_vo_occluder unpacked;
@@ -6866,9 +6886,10 @@ PRT__STATIC prt_rgb prt__vo_shade(const prt__vo_batch *b, int point) {
     prt_vec3 mirror = prt__reflect(prt__towards(b->eye, p->position), p->normal);
     prt_rgb sum = p->emissive;
     int j;
-    for (j = 0; j < b->light_count; j += PRT__VO_LIGHTS)
-        prt__vo_add_lights(b, point, mirror, b->light_count - j < PRT__VO_LIGHTS ? b->light_count - j : (int)PRT__VO_LIGHTS,
-                           b->lights + j, &sum);
+    for (j = 0; j < b->light_count; j += PRT__VO_LIGHTS) {
+        int lights = b->light_count - j < PRT__VO_LIGHTS ? b->light_count - j : (int)PRT__VO_LIGHTS;
+        prt__vo_add_lights(b, point, mirror, lights, b->lights + j, &sum);
+    }
     sum.r = prt__above0(sum.r); sum.g = prt__above0(sum.g); sum.b = prt__above0(sum.b);
     return sum;
 }
@@ -6883,7 +6904,8 @@ PRT__INLINE void prt__vo_lanes_towards(const prt__vec *half_position, prt_vec3 t
 
 PRT__INLINE void prt__vo_lanes_halve(prt__vec *v) { v[0] *= PRT__R(0.5); v[1] *= PRT__R(0.5); v[2] *= PRT__R(0.5); }
 
-/* sin^2 of the angle between unit vectors, 1 from 90 degrees on: with q = |d-l|^2 it is q (1 - q/4), and nothing cancels. */
+/* sin^2 of the angle between unit vectors, 1 from 90 degrees on: with q = |d-l|^2 it is q (1 - q/4), and nothing
+   cancels. */
 PRT__INLINE prt__vec prt__vo_lanes_chord2(const prt__vec *d, const prt__vec *l) {
     prt__vec x = d[0] - l[0], y = d[1] - l[1], z = d[2] - l[2];
     return x * x + y * y + z * z;
@@ -6919,9 +6941,9 @@ PRT__INLINE prt__vec prt__vo_lanes_cap_open(prt__vec cap, prt_real light, prt__v
     return prt__vec_select(prt__vec_less(zero, cap), one - share * share * PRT__LENS_STEP(u, least / most), one);
 }
 
-/* Prepares the occluder: directions to unit length, exponents, colours. In place: occlusion and caustic become directions,
-   form_factor and caustic_factor exponents, position half of itself, specular_normal the direction of DS, diffuse and
-   specular the colours of DD and DS. ss, ss_dir: those of SS; cap: the chord of the cap law. */
+/* Prepares the occluder: directions to unit length, exponents, colours. In place: occlusion and caustic become
+   directions, form_factor and caustic_factor exponents, position half of itself, specular_normal the direction of DS,
+   diffuse and specular the colours of DD and DS. ss, ss_dir: those of SS; cap: the chord of the cap law. */
 PRT__INLINE void prt__vo_lanes_see(const prt__vo_law *law, prt__vo_lanes *p, prt__vo_seen_lanes *o, prt__vec *ss,
                                    prt__vec *ss_dir, prt__vec *cap) {
     prt__vec zero = prt__vec_set(0), v[3], n[3], specular, square, lined_up;
@@ -6991,9 +7013,10 @@ PRT__INLINE int prt__vo_lanes_any(const prt__vec *v) {
 /* What one occluder of each point does to the light that comes straight from some lights, and what it sends itself. */
 PRT__INLINE void prt__vo_lanes_occlude(const prt__vo_law *law, prt__vo_lanes *p, prt__vo_seen_lanes *o, int light_count,
                                        const prt_point_light *lights, prt__vo_light_lanes *direct) {
-    prt__vec zero = prt__vec_set(0), one = prt__vec_set(1), ss[3], ss_dir[3] = { zero, zero, zero }, cap = one, least = prt__vec_set(law->least);
+    prt__vec zero = prt__vec_set(0), one = prt__vec_set(1), ss[3], ss_dir[3] = { zero, zero, zero }, cap = one;
+    prt__vec least = prt__vec_set(law->least);
     prt__chosen clear[3], translucent;
-    int j, c, any = prt__vo_lanes_any(o->transmissive);
+    int j, c, any = prt__vo_lanes_any(o->transmissive), shadows = !(law->off & PRT_VO_NO_SHADOW);
     prt__vo_lanes_see(law, p, o, ss, ss_dir, &cap);
     for (c = 0; c < 3; c++)
         clear[c] = prt__vec_less(zero, o->transmissive[c]) | prt__vec_less(o->transmissive[c], zero);
@@ -7001,11 +7024,10 @@ PRT__INLINE void prt__vo_lanes_occlude(const prt__vo_law *law, prt__vo_lanes *p,
     for (j = 0; j < light_count; j++) {
         prt__vo_light_lanes *d = &direct[j];
         prt__vec block = one, focus;
-        if (law->off & PRT_VO_NO_SHADOW) {
-            block = one;
-        } else if (law->cap) {
-            block = prt__vo_lanes_cap_open(cap, law->light_chord, prt__vec_root(prt__vo_lanes_chord2(o->occlusion, d->l)));
-        } else {
+        if (shadows && law->cap) {
+            prt__vec apart = prt__vec_root(prt__vo_lanes_chord2(o->occlusion, d->l));
+            block = prt__vo_lanes_cap_open(cap, law->light_chord, apart);
+        } else if (shadows) {
             prt__vec log_block = o->form_factor * prt__vec_log2(prt__vo_lanes_sin2(o->occlusion, d->l));
             d->log_block += prt__vec_masked(~translucent, log_block);
             if (any) block = prt__vec_exp2(prt__vec_masked(translucent, log_block));
@@ -7032,8 +7054,9 @@ PRT__INLINE void prt__vo_lanes_light(prt__vo_lanes *p, const prt_point_light *li
     gloss = prt__vec_exp2(p->shininess * prt__vec_log2(prt__vec_above0(prt__vec_dot3(p->mirror, d->l))));
     for (c = 0; c < 3; c++) d->factor[c] = p->diffuse[c] * spread + p->specular[c] * gloss;
     d->log_block = prt__vec_set(0);
-    d->l[0] = prt__vec_select(prt__vec_less(prt__vec_set(0), square), d->l[0], prt__vec_set(4));   /* on the point: no */
-}                                                                                      /* direction is within 90 degrees */
+    /* A light on the point: no direction is within 90 degrees of this. */
+    d->l[0] = prt__vec_select(prt__vec_less(prt__vec_set(0), square), d->l[0], prt__vec_set(4));
+}
 
 /* Occluder number k of each of the points from ... from+count-1. */
 PRT__INLINE void prt__vo_lanes_fetch(const prt__vo_batch *b, const prt__vo_lanes *p, int from, int count, int k,
@@ -7082,7 +7105,10 @@ PRT__STATIC void prt__vo_shade_lanes(const prt__vo_batch *b, int from, int count
     prt__vo_lanes p;
     prt_real sum[3][PRT__LANES], squares[PRT__LANES];
     int j, k, c, at, most = 0;
-    for (k = from; k < from + count; k++) if (b->first[k + 1] - b->first[k] > most) most = b->first[k + 1] - b->first[k];
+    for (k = from; k < from + count; k++) {
+        int own = b->first[k + 1] - b->first[k];
+        if (own > most) most = own;
+    }
     prt__vo_lanes_begin(b, from, count, &p);
     for (at = 0; at < b->light_count; at += PRT__VO_LIGHTS) {
         int lights = b->light_count - at < PRT__VO_LIGHTS ? b->light_count - at : (int)PRT__VO_LIGHTS;
@@ -7113,7 +7139,7 @@ PRT__STATIC prt_result prt__vo_shade_batch(const prt_vo_params *params, prt__vo_
     if (!params || (count > 0 && (!b->points || !b->first || !out)) || (b->light_count > 0 && !b->lights))
         return PRT_ERR_NULL;
     for (k = 0; k < count; k++) if (b->first[k] < 0 || b->first[k + 1] < b->first[k]) return PRT_ERR_COUNT;
-    if (count > 0 && b->first[count] > b->first[0] && !(b->words ? (const void *)b->packed : b->occluders)) return PRT_ERR_NULL;
+    if (count > 0 && b->first[count] > b->first[0] && !b->packed && !b->occluders) return PRT_ERR_NULL;
     if (b->words && !(b->unit > 0 && prt__finite(b->unit))) return PRT_ERR_VALUE;
     b->law = prt__vo_law_of(params);
     if (b->words == PRT__VO_WORDS_DIFFUSE) b->law.off |= PRT_VO_NO_CAUSTIC | PRT_VO_NO_DS | PRT_VO_NO_SS;
@@ -7140,7 +7166,8 @@ PRTDEF prt_result prt_vo_shade(const prt_vo_params *params, const prt_vo_point *
     prt__vo_batch b;
     int first[2];
     if (occluder_count < 0 || light_count < 0) return PRT_ERR_COUNT;
-    if (!params || !point || !out || (occluder_count > 0 && !occluders) || (light_count > 0 && !lights)) return PRT_ERR_NULL;
+    if (!params || !point || !out) return PRT_ERR_NULL;
+    if ((occluder_count > 0 && !occluders) || (light_count > 0 && !lights)) return PRT_ERR_NULL;
     first[0] = 0; first[1] = occluder_count;
     b = prt__vo_batch_of(point, eye, first, light_count, lights);
     b.law = prt__vo_law_of(params);
@@ -7163,7 +7190,8 @@ PRT__STATIC prt_result prt__vo_pack(prt_real unit, prt_vec3 at, int count, const
     if (count < 0) return PRT_ERR_COUNT;
     if (count > 0 && (!occluders || !out)) return PRT_ERR_NULL;
     if (!(unit > 0 && prt__finite(unit)) || !prt__finite3(at)) return PRT_ERR_VALUE;
-    for (k = 0; k < count; k++) if (!prt__vo_pack_one((double)unit, at, &occluders[k], words, NULL)) return PRT_ERR_VALUE;
+    for (k = 0; k < count; k++)
+        if (!prt__vo_pack_one((double)unit, at, &occluders[k], words, NULL)) return PRT_ERR_VALUE;
     for (k = 0; k < count; k++)
         prt__vo_pack_one((double)unit, at, &occluders[k], words, out + (size_t)k * (size_t)words);
     return PRT_OK;
@@ -7193,13 +7221,15 @@ PRTDEF prt_result prt_vo_unpack(prt_real unit, prt_vec3 position, int count, con
     return prt__vo_unpack(unit, position, count, packed ? packed->word : NULL, PRT__VO_WORDS, out);
 }
 
-PRTDEF prt_result prt_vo_unpack_diffuse(prt_real unit, prt_vec3 position, int count, const prt_vo_packed_diffuse *packed,
+PRTDEF prt_result prt_vo_unpack_diffuse(prt_real unit, prt_vec3 position, int count,
+                                        const prt_vo_packed_diffuse *packed,
                                         prt_vo_occluder *out) {
     return prt__vo_unpack(unit, position, count, packed ? packed->word : NULL, PRT__VO_WORDS_DIFFUSE, out);
 }
 
-PRTDEF prt_result prt_vo_shade_packed_n(const prt_vo_params *params, prt_real unit, int count, const prt_vo_point *points,
-                                        prt_vec3 eye, const int *first, const prt_vo_packed *packed,
+PRTDEF prt_result prt_vo_shade_packed_n(const prt_vo_params *params, prt_real unit, int count,
+                                        const prt_vo_point *points, prt_vec3 eye, const int *first,
+                                        const prt_vo_packed *packed,
                                         int light_count, const prt_point_light *lights, prt_rgb *out) {
     prt__vo_batch b = prt__vo_batch_of(points, eye, first, light_count, lights);
     b.packed = packed ? packed->word : NULL;
@@ -7254,7 +7284,8 @@ PRTDEF prt_result prt_vo_bend(int wave_count, const prt_vo_wave *waves, prt_real
     int j, k;
     if (wave_count < 0 || count < 0) return PRT_ERR_COUNT;
     if ((wave_count > 0 && !waves) || (count > 0 && (!occluders || !out))) return PRT_ERR_NULL;
-    for (j = 0; j < wave_count; j++) if (!prt__vo_wave_turn(&waves[j], time, position, axis, turn)) return PRT_ERR_VALUE;
+    for (j = 0; j < wave_count; j++)
+        if (!prt__vo_wave_turn(&waves[j], time, position, axis, turn)) return PRT_ERR_VALUE;
     if (out != occluders && count > 0) memcpy(out, occluders, (size_t)count * sizeof *out);
     for (j = 0; j < wave_count; j++) {
         prt__vo_wave_turn(&waves[j], time, position, axis, turn);

@@ -355,16 +355,17 @@ PRTDEF prt_result prt_bake_fiv_total(const prt_fiv_env *env, int size, int first
 
 /* ---------------------------------------------------------------------------------------------------- >>vo ---- */
 
-/* Vector occluders for prt_vo_shade [Sherif 2013, chapter 7.2], in two passes over the same points: prt_bake_vo_ao, then
-   prt_bake_vo. An occluder is a group of primitives of one object; prt_vo_split makes groups. */
+/* Vector occluders for prt_vo_shade [Sherif 2013, chapter 7.2], in two passes over the same points: prt_bake_vo_ao,
+   then prt_bake_vo. An occluder is a group of primitives of one object; prt_vo_split makes groups. */
 typedef struct prt_vo_object {         /* zero-initialise; 0 means the default in brackets */
     prt_rgb diffuse, specular, transmissive;   /* each channel 0 ... 1 */
-    prt_real refraction;               /* refractive index of the inside against the outside, where transmissive [1.5] */
+    prt_real refraction;               /* refractive index of the inside against the outside [1.5] */
     int primitive_count;               /* needed where groups or triangles are given */
     int group_count;                   /* occluders that the object falls into [1] */
     const int *groups;                 /* [primitive_count], each 0 ... group_count - 1; NULL: all 0 */
-    const uint32_t *triangles;         /* [primitive_count][3]: the points (indices into `points`) at the corners of each
-                                          primitive, where ambient occlusion is looked up; NULL: hits count as open */
+    const uint32_t *triangles;         /* [primitive_count][3]: the points (indices into `points`) at the corners of
+                                          each primitive, where ambient occlusion is looked up; NULL: hits
+                                          count as open */
 } prt_vo_object;
 
 typedef struct prt_vo_desc {           /* zero-initialise; 0 means the default in brackets */
@@ -389,8 +390,9 @@ typedef struct prt_vo_row {            /* what prt_bake_vo kept of a point */
 /* Terms that no object of the scene can cause, as PRT_VO_NO_ flags for prt_vo_desc and prt_vo_params: NO_CAUSTIC where
    nothing is transmissive, NO_DD where no object has a diffuse colour, NO_DS and NO_SS where none has a specular one.
    prt_bake_vo leaves these out by itself. A NULL pointer or a count below 1: all four.
-   NO_CAUSTIC saves the rays that are bent, and an exponential an occluder and light; NO_DS with NO_SS the any-hit rays of
-   mirrors, and a third of the operations of shading; all three let an occluder be packed into 20 bytes instead of 40. */
+   NO_CAUSTIC saves the rays that are bent, and an exponential an occluder and light; NO_DS with NO_SS the any-hit
+   rays of mirrors, and a third of the operations of shading; all three let an occluder be packed into 20 bytes
+   instead of 40. */
 PRTDEF unsigned prt_vo_unneeded(int object_count, const prt_vo_object *objects);
 
 /* Bytes of occluders[point_count][max_occluders] (0: the default), or 0 if out of range or too large for a size_t. */
@@ -399,58 +401,61 @@ PRTDEF size_t prt_bake_vo_size(int max_occluders, int point_count);
 /* Bytes that prt_bake_vo takes from PRT_MALLOC, in one piece; 0: desc is NULL, or a size does not fit. */
 PRTDEF size_t prt_bake_vo_scratch_size(const prt_vo_desc *desc);
 
-/* Pass 1, ambient occlusion: open[k] = the share of the cosine-weighted hemisphere over points[k] in which nothing is hit, 1
-   unoccluded, for k = first ... first+count-1; no other value is touched. It is prt_bake_transfer with one band, and so
-   are ranges, bits, errors and progress; desc->objects is not read. */
-PRTDEF prt_result prt_bake_vo_ao(const prt_vo_desc *desc, int point_count, const prt_point *points, int first, int count,
-                                 prt_real *open);
+/* Pass 1, ambient occlusion: open[k] = the share of the cosine-weighted hemisphere over points[k] in which nothing is
+   hit, 1 unoccluded, for k = first ... first+count-1; no other value is touched. It is prt_bake_transfer with one
+   band, and so are ranges, bits, errors and progress; desc->objects is not read. */
+PRTDEF prt_result prt_bake_vo_ao(const prt_vo_desc *desc, int point_count, const prt_point *points, int first,
+                                 int count, prt_real *open);
 
 /* Pass 2: occluders of points[first ... first+count-1] into the same rows of occluders[point_count][K] and
    rows[point_count]; no other row is touched; slots past rows[k].count are zero.
    open: pass 1 of all points, [point_count], or NULL where ambient occlusion shall count as 1.
 
-   `samples` feeler rays w, cosine-distributed, so that each has F_ray = 1/samples (equation 7.1 with importance sampling).
-   Of the rays that hit an occluder first, t away with the unit normal n turned towards the point,
+   `samples` feeler rays w, cosine-distributed, so that each has F_ray = 1/samples (equation 7.1 with importance
+   sampling). Of the rays that hit an occluder first, t away with the unit normal n turned towards the point,
      form_factor = sum F_ray             occlusion = sum w, made unit         position = mean of the hits
      diffuse_normal = sum F_ray AO n     AO interpolated between the corners of the primitive
      specular_normal = sum F_ray n       over hits whose mirror direction is open
      caustic = sum of the directions in which the ray reaches free space after refraction, made unit
      caustic_factor = sum F_ray          over rays that reach it
-     transmissive = mean over these rays of the product of `transmissive` of every object that the ray entered; where caustics
-                           are off, that of the object
+     transmissive = mean over these rays of the product of `transmissive` of every object that the ray entered;
+                           where caustics are off, that of the object
      diffuse, specular = those of the object
-   Refraction follows Snell's law with total internal reflection at objects whose `transmissive` is not black, which must be
-   closed, with normals outward; nothing is lost by partial reflection. A ray ends at an opaque object.
+   Refraction follows Snell's law with total internal reflection at objects whose `transmissive` is not black, which
+   must be closed, with normals outward; nothing is lost by partial reflection. A ray ends at an opaque object.
    Rows are in order of falling form factor. The bits of a row depend on desc, open, its point and its index alone.
 
-   Errors, before anything is written: PRT_ERR_NULL (desc); PRT_ERR_COUNT (samples, max_occluders, max_bends, object_count,
-   primitive_count or group_count below 0; a range as in prt_bake_transfer; an entry of groups or triangles out of range);
-   PRT_ERR_CAPACITY; PRT_ERR_NULL (rows, occluders or points with count > 0, objects with object_count > 0, tracer or a
-   callback that is needed); PRT_ERR_VALUE (a material outside 0 ... 1 or not finite; refraction, least, bias, scene_radius
-   negative or not finite; open outside 0 ... 1; points as in prt_bake_transfer); PRT_ERR_MEMORY. Then PRT_ERR_TRACE, when a
-   callback fails or returns a hit that cannot be: an unknown object, a primitive out of range, t below 0, a normal that is
-   not unit within 1e-3, numbers that are not finite; and PRT_ERR_CANCELLED. Points finished before stay valid.
-   hits[k].object is -1 on entry. A batch holds rays of one point. Cost: samples rays, one any-hit ray for each hit on a
-   specular object, and a few for each on a transmissive one; a sum of [occluders of the scene] a point. */
+   Errors, before anything is written: PRT_ERR_NULL (desc); PRT_ERR_COUNT (samples, max_occluders, max_bends,
+   object_count, primitive_count or group_count below 0; a range as in prt_bake_transfer; an entry of groups or
+   triangles out of range); PRT_ERR_CAPACITY; PRT_ERR_NULL (rows, occluders or points with count > 0, objects with
+   object_count > 0, tracer or a callback that is needed); PRT_ERR_VALUE (a material outside 0 ... 1 or not finite;
+   refraction, least, bias, scene_radius negative or not finite; open outside 0 ... 1; points as in
+   prt_bake_transfer); PRT_ERR_MEMORY. Then PRT_ERR_TRACE, when a callback fails or returns a hit that cannot be: an
+   unknown object, a primitive out of range, t below 0, a normal that is not unit within 1e-3, numbers that are not
+   finite; and PRT_ERR_CANCELLED. Points finished before stay valid. hits[k].object is -1 on entry. A batch holds rays
+   of one point. Cost: samples rays, one any-hit ray for each hit on a specular object, and a few for each on a
+   transmissive one; a sum of [occluders of the scene] a point. */
 PRTDEF prt_result prt_bake_vo(const prt_vo_desc *desc, int point_count, const prt_point *points, const prt_real *open,
                               int first, int count, prt_vo_row *rows, prt_vo_occluder *occluders);
 
-/* Rows of max_occluders (0: the default) slots each to the form that prt_vo_shade_n wants, in place: occluders one after the
-   other, those of point k from first[k] to first[k+1] - 1. first[point_count + 1]; first[point_count] is their number.
-   Errors: PRT_ERR_COUNT (point_count or max_occluders below 0; rows[k].count outside 0 ... K); PRT_ERR_CAPACITY (more than
-   INT_MAX occluders); PRT_ERR_NULL. Cost: one pass. */
+/* Rows of max_occluders (0: the default) slots each to the form that prt_vo_shade_n wants, in place: occluders one
+   after the other, those of point k from first[k] to first[k+1] - 1. first[point_count + 1]; first[point_count] is
+   their number.
+   Errors: PRT_ERR_COUNT (point_count or max_occluders below 0; rows[k].count outside 0 ... K); PRT_ERR_CAPACITY (more
+   than INT_MAX occluders); PRT_ERR_NULL. Cost: one pass. */
 PRTDEF prt_result prt_vo_compact(int max_occluders, int point_count, const prt_vo_row *rows, prt_vo_occluder *occluders,
                                  int *first);
 
-/* Splits an object into compact groups of faces, for prt_vo_object.groups, so that each is closer to the round cap for which
-   its vectors stand; the thesis leaves this to the artist (7.4.1, 7.7.2). groups[mesh->triangle_count] receives 0 ...
-   *made - 1, *made <= group_count: fewer where the mesh has fewer faces with area, or different places.
-   k-means over the centroids of the faces, weighted by area (Lloyd), from seeds each of which is the centroid farthest from
-   those before; `facing`, 0 ... 1, adds a distance between normals: |c - c'|^2 + facing r^2 |n - n'|^2, r half of the box's
-   diagonal. 0 cuts by place alone; .1 also separates faces that look in opposite directions. Groups are numbered in the order
-   of their first face; every group has a face. Faces without area go with the nearest group.
-   Errors: PRT_ERR_COUNT (group_count < 1; those of prt_points_from_vertices); PRT_ERR_CAPACITY; PRT_ERR_NULL; PRT_ERR_VALUE (a
-   position is not finite; facing outside 0 ... 1); PRT_ERR_MEMORY. mesh->normals is not read.
+/* Splits an object into compact groups of faces, for prt_vo_object.groups, so that each is closer to the round cap
+   for which its vectors stand; the thesis leaves this to the artist (7.4.1, 7.7.2). groups[mesh->triangle_count]
+   receives 0 ... *made - 1, *made <= group_count: fewer where the mesh has fewer faces with area, or different places.
+   k-means over the centroids of the faces, weighted by area (Lloyd), from seeds each of which is the centroid
+   farthest from those before; `facing`, 0 ... 1, adds a distance between normals: |c - c'|^2 + facing r^2 |n - n'|^2,
+   r half of the box's diagonal. 0 cuts by place alone; .1 also separates faces that look in opposite directions.
+   Groups are numbered in the order of their first face; every group has a face. Faces without area go with the
+   nearest group.
+   Errors: PRT_ERR_COUNT (group_count < 1; those of prt_points_from_vertices); PRT_ERR_CAPACITY; PRT_ERR_NULL;
+   PRT_ERR_VALUE (a position is not finite; facing outside 0 ... 1); PRT_ERR_MEMORY. mesh->normals is not read.
    Cost: up to 32 rounds of 10 operations a face and group; memory: 64 bytes a face and 88 a group, from PRT_MALLOC. */
 PRTDEF prt_result prt_vo_split(const prt_mesh *mesh, int group_count, prt_real facing, int *groups, int *made);
 
@@ -1977,7 +1982,7 @@ typedef struct prt__vo_bake {
     prt_real *x, *y, *z;               /* [PRT__VO_BATCH + PRT__BLOCK] */
     unsigned char *blocked;            /* [PRT__VO_BATCH] */
     prt__vo_sum *sums;                 /* [groups] */
-    int *object_of, *base;             /* [groups], [object_count]: the object of a group, the first group of an object */
+    int *object_of, *base;             /* [groups], [object_count]: object of a group, first group of an object */
     int *order;                        /* [keep]: groups of a point in order of falling form factor */
     prt__steps steps;
 } prt__vo_bake;
@@ -2029,7 +2034,8 @@ PRT__STATIC prt_result prt__vo_shape(prt__vo_bake *b, const prt_vo_desc *desc) {
 
 PRT__STATIC prt_result prt__vo_counts(const prt_vo_desc *desc) {
     int k;
-    if (desc->samples < 0 || desc->max_occluders < 0 || desc->max_bends < 0 || desc->object_count < 0) return PRT_ERR_COUNT;
+    if (desc->samples < 0 || desc->max_occluders < 0 || desc->max_bends < 0) return PRT_ERR_COUNT;
+    if (desc->object_count < 0) return PRT_ERR_COUNT;
     for (k = 0; desc->objects && k < desc->object_count; k++)
         if (desc->objects[k].primitive_count < 0 || desc->objects[k].group_count < 0) return PRT_ERR_COUNT;
     return desc->object_count > 0 && !desc->objects ? PRT_ERR_NULL : PRT_OK;
@@ -2041,17 +2047,18 @@ PRTDEF size_t prt_bake_vo_scratch_size(const prt_vo_desc *desc) {
     return prt__vo_layout(&b, 0);
 }
 
-/* Pass 1 writes transfer of one band; this turns a row into a share, a whole number of rays, as soon as it stands there. */
+/* Pass 1 writes transfer of one band; this turns a row into a share, a whole number of rays, as soon as it stands
+   there. */
 typedef struct prt__vo_ao { const prt_vo_desc *desc; int samples; prt_real *open; } prt__vo_ao;
 PRT__STATIC int prt__vo_ao_done(void *user, int done, int total) {
     const prt__vo_ao *ao = (const prt__vo_ao *)user;
-    double share = (double)ao->open[done - 1] * (2 * 1.77245385090551602729816748334114518);    /* 1/Y(0,0) = 2 sqrt(pi) */
+    double share = (double)ao->open[done - 1] * (2 * 1.77245385090551602729816748334114518);    /* over Y(0,0) */
     ao->open[done - 1] = (prt_real)(floor(share * ao->samples + 0.5) / ao->samples);
     return ao->desc->progress ? ao->desc->progress(ao->desc->progress_user, done, total) : 0;
 }
 
-PRTDEF prt_result prt_bake_vo_ao(const prt_vo_desc *desc, int point_count, const prt_point *points, int first, int count,
-                                 prt_real *open) {
+PRTDEF prt_result prt_bake_vo_ao(const prt_vo_desc *desc, int point_count, const prt_point *points, int first,
+                                 int count, prt_real *open) {
     prt_bake_desc transfer;
     prt__vo_ao ao;
     if (!desc) return PRT_ERR_NULL;
@@ -2197,8 +2204,9 @@ PRT__STATIC int prt__vo_group_of(const prt__vo_bake *b, const prt_hit *hit) {
     return b->base[hit->object] + (o->groups ? o->groups[hit->primitive] : 0);
 }
 
-/* Snell's law. dir meets the surface with outward unit normal n of a body whose index, against outside, is `refraction`; dir
-   becomes the direction behind it. Returns 1: it entered, -1: it left, 0: total internal reflection. */
+/* Snell's law. dir meets the surface with outward unit normal n of a body whose index, against outside, is
+   `refraction`; dir becomes the direction behind it. Returns 1: it entered, -1: it left, 0: total internal
+   reflection. */
 PRT__STATIC int prt__vo_bend(double refraction, const double n[3], double dir[3]) {
     double along = prt__ddot(dir, n), sign = along < 0 ? 1 : -1, cosine = along < 0 ? -along : along;
     double ratio = along < 0 ? 1 / refraction : refraction, left = 1 - ratio * ratio * (1 - cosine * cosine), bent[3];
@@ -2376,8 +2384,12 @@ PRT__STATIC void prt__vo_keep(prt__vo_bake *b, int point) {
     for (g = 0; g < b->groups; g++) {
         double hits = b->sums[g].hits;
         if (!(hits > 0)) continue;
-        if (row.count == b->keep && !(hits > b->sums[b->order[b->keep - 1]].hits)) { row.dropped++; lost += hits; continue; }
-        if (hits / b->samples < (double)b->desc->least) { row.dropped++; lost += hits; continue; }
+        if (hits / b->samples < (double)b->desc->least ||
+            (row.count == b->keep && !(hits > b->sums[b->order[b->keep - 1]].hits))) {
+            row.dropped++;
+            lost += hits;
+            continue;
+        }
         if (row.count == b->keep) { row.dropped++; lost += b->sums[b->order[b->keep - 1]].hits; }
         else row.count++;
         for (k = row.count - 1; k > 0 && hits > b->sums[b->order[k - 1]].hits; k--) b->order[k] = b->order[k - 1];
@@ -2399,8 +2411,8 @@ PRT__STATIC prt_result prt__vo_bake_point(prt__vo_bake *b, int point) {
         int count = b->samples - from < PRT__VO_BATCH ? b->samples - from : (int)PRT__VO_BATCH;
         prt_result r;
         for (k = 0; k < count; k += PRT__BLOCK)
-            prt__cosine_block(&lattice, &b->steps, &frame, from + k, count - k < PRT__BLOCK ? count - k : (int)PRT__BLOCK,
-                              b->x + k, b->y + k, b->z + k);
+            prt__cosine_block(&lattice, &b->steps, &frame, from + k,
+                              count - k < PRT__BLOCK ? count - k : (int)PRT__BLOCK, b->x + k, b->y + k, b->z + k);
         r = prt__vo_feel(b, prt__bake_origin(b->bias, p), count);
         if (r != PRT_OK) return r;
     }
@@ -2425,7 +2437,8 @@ PRTDEF prt_result prt_bake_vo(const prt_vo_desc *desc, int point_count, const pr
     prt__vo_list_groups(&b);
     for (k = first; r == PRT_OK && k < first + count; k++) {
         r = prt__vo_bake_point(&b, k);
-        if (r == PRT_OK && desc->progress && desc->progress(desc->progress_user, k - first + 1, count)) r = PRT_ERR_CANCELLED;
+        if (r == PRT_OK && desc->progress && desc->progress(desc->progress_user, k - first + 1, count))
+            r = PRT_ERR_CANCELLED;
     }
     PRT_FREE(memory);
     return r;
@@ -2444,7 +2457,8 @@ PRTDEF prt_result prt_vo_compact(int max_occluders, int point_count, const prt_v
     first[0] = 0;
     for (k = 0; k < point_count; k++) {
         if (rows[k].count > 0)
-            memmove(occluders + first[k], occluders + (size_t)k * (size_t)keep, (size_t)rows[k].count * sizeof *occluders);
+            memmove(occluders + first[k], occluders + (size_t)k * (size_t)keep,
+                    (size_t)rows[k].count * sizeof *occluders);
         first[k + 1] = first[k] + rows[k].count;
     }
     return PRT_OK;
@@ -2452,9 +2466,12 @@ PRTDEF prt_result prt_vo_compact(int max_occluders, int point_count, const prt_v
 
 /* ---- splitting ---- */
 
-enum { PRT__SPLIT_ROUNDS = 32, PRT__SPLIT_AXES = 6 };         /* a face as a place among others: centroid, then normal */
+enum { PRT__SPLIT_ROUNDS = 32, PRT__SPLIT_AXES = 6 };         /* axes: centroid, then normal */
 typedef struct prt__split_face { double at[PRT__SPLIT_AXES], area; } prt__split_face;
-typedef struct prt__split_group { double at[PRT__SPLIT_AXES], sum[PRT__SPLIT_AXES], area; int number; } prt__split_group;
+typedef struct prt__split_group {
+    double at[PRT__SPLIT_AXES], sum[PRT__SPLIT_AXES], area;
+    int number;
+} prt__split_group;
 
 typedef struct prt__split {
     int faces, groups;
@@ -2510,8 +2527,8 @@ PRT__STATIC void prt__split_seed(prt__split *s, int face) {
     s->groups++;
 }
 
-/* The face with area that is farthest from all seeds, or -1 if all stand on one; the first seed is the face farthest from
-   the centre. */
+/* The face with area that is farthest from all seeds, or -1 if all stand on one; the first seed is the face farthest
+   from the centre. */
 PRT__STATIC int prt__split_farthest(const prt__split *s) {
     static const double centre[PRT__SPLIT_AXES] = { 0, 0, 0, 0, 0, 0 };
     double most = 0;
@@ -2541,7 +2558,8 @@ PRT__STATIC int prt__split_round(prt__split *s) {
         s->group[own].area += f->area;
     }
     for (g = 0; g < s->groups; g++)
-        for (c = 0; c < PRT__SPLIT_AXES && s->group[g].area > 0; c++) s->group[g].at[c] = s->group[g].sum[c] / s->group[g].area;
+        for (c = 0; c < PRT__SPLIT_AXES && s->group[g].area > 0; c++)
+            s->group[g].at[c] = s->group[g].sum[c] / s->group[g].area;
     return moved;
 }
 
