@@ -1,8 +1,8 @@
 /* demo: the Stanford bunny under three environments, lit from transfer of 3, 5 and 8 bands, beside ray-traced truth.
 
    Writes DIR/demo.png and .jpg, a contact sheet with one row an environment, and DIR/demo.csv with its figures.
-   Columns: 8 bands without shadows; 3, 5 and 8 bands with shadows; direct light by Monte Carlo ray tracing from the same
-   camera, thousands of shadow rays a pixel. What each number means:
+   Columns: 8 bands without shadows; 3, 5 and 8 bands with shadows; direct light by Monte Carlo ray tracing from the
+   same camera, thousands of shadow rays a pixel. What each number means:
 
      RMSE    root mean square error of linear radiance against the reference, all colours, over the pixels that bunny
              and pedestal cover whole (the table adds it for the bunny's alone), divided by the mean of the reference
@@ -90,7 +90,8 @@ static int load_scene(demo *d, why *w) {
     for (k = 0; k < d->scene.point_count; k++)
         if (d->scene.points[k].position.z < under.z) under.z = d->scene.points[k].position.z;
     d->reference.object_triangles = d->scene.triangle_count;
-    if (mesh_add_floor(&d->scene, under, (prt_real)1.25, (prt_real)0.025, w) || mesh_copy(&d->scene, &d->fine, w)) return -1;
+    if (mesh_add_floor(&d->scene, under, (prt_real)1.25, (prt_real)0.025, w) || mesh_copy(&d->scene, &d->fine, w))
+        return -1;
     d->eye = camera_orbit(target, 4.2, -1.3, 0.3, 0.5);
     return embree_tracer_create(&d->tracer, w) || embree_tracer_add(&d->tracer, &d->scene, 0, w) ||
            embree_tracer_build(&d->tracer, w) ? -1 : 0;
@@ -119,7 +120,7 @@ static int bake_shadowed(demo *d, why *w) {
     r.job.stop = &interrupted;
     r.m = &d->fine;
     r.levels = 4;
-    r.tolerance = 0.003;
+    r.tolerance = 0.003;               /* ten times the difference that the noise of 8192 rays makes */
     failed = refined_bake_run(&r, w);
     d->shadowed = r.job.transfer;
     return failed;
@@ -347,6 +348,13 @@ static int save_sheet(const demo *d, why *w) {
     return failed ? -1 : 0;
 }
 
+/* RMSE, floor, and what is above it; without shadows there is no floor. */
+static void print_errors(const errors *e, int width, int column) {
+    if (column == UNSHADOWED) printf(" %*.3f %7s %16s |", width, 100 * e->rmse, "", "");
+    else printf(" %*.3f %7.3f %+7.3f +- %5.3f |", width, 100 * e->rmse, 100 * e->floor, 100 * (e->rmse - e->floor),
+                100 * e->uncertainty);
+}
+
 /* The same figures as lines of a table, on the terminal and in DIR/demo.csv. */
 static int report(const demo *d, why *w) {
     char path[1024];
@@ -365,14 +373,10 @@ static int report(const demo *d, why *w) {
             const cell *c = &d->cells[e][column];
             const errors *a = &c->all, *b = &c->bunny;
             double bake = d->bake_seconds[column != UNSHADOWED], noise = 100 * d->noise[e], ms = 1000 * c->seconds;
-            if (column == UNSHADOWED)
-                printf("%-10s %5d %7s | %7.2f %7s %16s | %12.2f %7s %16s | %7.2f %7.2f %8.1f\n", d->environments[e].name,
-                       bands_of(column), "no", 100 * a->rmse, "", "", 100 * b->rmse, "", "", noise, bake, ms);
-            else
-                printf("%-10s %5d %7s | %7.3f %7.3f %+7.3f +- %5.3f | %12.3f %7.3f %+7.3f +- %5.3f | %7.2f %7.2f %8.1f\n",
-                       d->environments[e].name, bands_of(column), "yes", 100 * a->rmse, 100 * a->floor,
-                       100 * (a->rmse - a->floor), 100 * a->uncertainty, 100 * b->rmse, 100 * b->floor,
-                       100 * (b->rmse - b->floor), 100 * b->uncertainty, noise, bake, ms);
+            printf("%-10s %5d %7s |", d->environments[e].name, bands_of(column), column == UNSHADOWED ? "no" : "yes");
+            print_errors(a, 7, column);
+            print_errors(b, 12, column);
+            printf(" %7.2f %7.2f %8.1f\n", noise, bake, ms);
             fprintf(csv, "%s,%d,%d,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.3f,%.2f\n", d->environments[e].name,
                     bands_of(column), column != UNSHADOWED, 100 * a->rmse, 100 * a->floor, 100 * a->uncertainty,
                     100 * b->rmse, 100 * b->floor, 100 * b->uncertainty, noise, bake, ms);
@@ -401,8 +405,9 @@ static int run(demo *d, why *w) {
     if (mkdir(d->out, 0777) && errno != EEXIST)
         return why_set(w, "%s: cannot be made a directory: %s", d->out, strerror(errno));
     snprintf(sheet_path, sizeof sheet_path, "%s/demo.png", d->out);
-    return replacement_possible(sheet_path, 4u << 20, w) || load_scene(d, w) || bake_all(d, w) || draw_all(d, w) || trace_all(d, w) || measure(d, w) ||
-           (interrupted ? why_set(w, "interrupted") : 0) || report(d, w) || save_sheet(d, w) ? -1 : 0;
+    return replacement_possible(sheet_path, 4u << 20, w) || load_scene(d, w) || bake_all(d, w) || draw_all(d, w) ||
+           trace_all(d, w) || measure(d, w) || (interrupted ? why_set(w, "interrupted") : 0) || report(d, w) ||
+           save_sheet(d, w) ? -1 : 0;
 }
 
 static int parse(int count, char **words, demo *d, why *w) {
