@@ -28,7 +28,7 @@ typedef struct rig {
 enum { AROUND, SKY, RIGS };
 
 /* What a scene looks like without approximation: at the samples of the view, and at the vertices. */
-typedef struct truth { const rig *lights; prt_rgb *pixels[PATH_HALVES], *vertices[PATH_HALVES]; double seconds; } truth;
+typedef struct truth { const rig *lights; prt_rgb *pixels[PATH_HALVES], *vertices[PATH_HALVES]; } truth;
 
 typedef struct score { double rmse, ssim; } score;
 
@@ -96,7 +96,7 @@ int  few_rays(const study *d);
 
 /* Light at the queries, to new arrays out[half]; kept in a file, and taken up from it. */
 int trace_some(const study *d, const stage *s, int matte, const rig *lights, const char *where, int count,
-               const path_query *queries, int samples, int photons, prt_rgb *out[PATH_HALVES], double *seconds, why *w);
+               const path_query *queries, int samples, int photons, prt_rgb *out[PATH_HALVES], why *w);
 int  paint_truth(const stage *s, const truth *t, int set, int half, picture *to, why *w);
 /* The mean of both halves. */
 int  paint_reference(const stage *s, int matte, int which, int set, picture *to, why *w);

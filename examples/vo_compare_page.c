@@ -22,13 +22,14 @@ void caption(sheet_cell *cell, const score *s) {
 }
 
 /* One row: the reference, then the techniques in order. */
-static int fill_row(const sheet_row *row, int matte, int columns, const technique *order, picture *pictures,
+static int fill_row(const sheet_row *row, int matte, int paths, int columns, const technique *order, picture *pictures,
                     sheet_cell *cells, why *w) {
     int k;
     if (paint_reference(row->s, matte, row->which, row->set, &pictures[0], w)) return -1;
     cells[0].shown = &pictures[0];
     snprintf(cells[0].first, sizeof cells[0].first, "noise %.1f %%", 100 * row->s->noise[matte][row->which][row->set]);
-    snprintf(cells[0].second, sizeof cells[0].second, "%.0f s", row->s->truths[matte][row->which].seconds);
+    snprintf(cells[0].second, sizeof cells[0].second, "%d paths a pixel",
+             paths * PATH_HALVES * SAMPLES_A_PIXEL * SAMPLES_A_PIXEL);
     for (k = 1; k < columns; k++) {
         if (paint(row->s, matte, row->which, row->set, order[k - 1], &pictures[k], NULL, w)) return -1;
         cells[k].shown = &pictures[k];
@@ -52,7 +53,7 @@ static int write_sheet(const study *d, const char *file, const char *title, int 
     heads[0] = "path traced";
     for (k = 1; k < columns; k++) heads[k] = technique_names[order[k - 1]];
     for (k = 0; k < rows && !failed; k++) {
-        failed = fill_row(&row[k], matte, columns, order, pictures + k * columns, cells + k * columns, w);
+        failed = fill_row(&row[k], matte, d->o.paths, columns, order, pictures + k * columns, cells + k * columns, w);
         names[k] = row[k].name;
         exposures[k] = failed ? 1 : picture_exposure(&pictures[k * columns]);
     }
@@ -65,10 +66,10 @@ static int write_sheet(const study *d, const char *file, const char *title, int 
     s.names = names;
     s.exposures = exposures;
     s.cells = cells;
-    s.foot[0] = "RMSE: of linear radiance over the pixels of the scene, relative to the mean of the path-traced picture. "
-                "All techniques shade vertices.";
-    if (matte) s.foot[1] = "CH3 and CH6 use inner products as coefficients, as the thesis does; with its Gram matrix CH "
-                           "gives the pictures of SH.";
+    s.foot[0] = "RMSE: of linear radiance over the pixels of the scene, relative to the mean of the path-traced "
+                "picture. All techniques shade vertices.";
+    if (matte) s.foot[1] = "CH3 and CH6 use inner products as coefficients, as the thesis does; with its Gram matrix "
+                           "CH gives the pictures of SH.";
     snprintf(path, sizeof path, "%s/gallery/%s", d->o.out, file);
     if (!failed) failed = contact_sheet_write(&s, path, w);
     for (k = 0; k < rows * columns; k++) picture_free(&pictures[k]);

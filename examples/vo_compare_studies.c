@@ -88,7 +88,7 @@ static int study_one_light(const study *d, stage *s, int paths, int photons, con
     memset(&sheet, 0, sizeof sheet);
     t->lights = &s->rigs[AROUND];
     failed = trace_some(d, s, 1, t->lights, "pixels", s->seen.width * s->seen.height, s->pixel_queries, paths, photons,
-                        t->pixels, &t->seconds, w) ||
+                        t->pixels, w) ||
              paint_truth(s, t, 0, 0, &halves[0], w) || paint_truth(s, t, 0, 1, &halves[1], w) ||
              paint_reference(s, 1, AROUND, 0, &pictures[0], w);
     for (k = 0; k < LAWS && !failed; k++) {
