@@ -1,10 +1,10 @@
 /* fiv_scene: bodies that move and turn over a ground and over each other under a photographed environment, shaded from
    fullsphere irradiance vectors, ray traced, and the difference, side by side.
 
-   Each mesh is baked once, in the form that takes any light of some bands (prt_fiv_transfer). Each frame turns the light
-   into the frame of each body, makes the body's table of vectors of it, and shades by lookups, in milliseconds; beside
-   it rays take seconds. They have the environment as 6 x 32 x 32 texels, whose lower half is the light that the open
-   ground reflects; the vectors have its first bands. Writes DIR/fiv-scene-NNN.png, DIR/fiv-scene.csv with a line a
+   Each mesh is baked once, in the form that takes any light of some bands (prt_fiv_transfer). Each frame turns the
+   light into the frame of each body, makes the body's table of vectors of it, and shades by lookups, in milliseconds;
+   beside it rays take seconds. They have the environment as 6 x 32 x 32 texels, whose lower half is the light that the
+   open ground reflects; the vectors have its first bands. Writes DIR/fiv-scene-NNN.png, DIR/fiv-scene.csv with a line a
    frame, and DIR/fiv-scene.webp where img2webp (Debian: webp) is installed. Tables stay in DIR for the next run. An
    interrupted run keeps its frames; --resume goes on.
 
@@ -41,7 +41,7 @@ static const char usage[] =
     "  --meshes A B     what moves: two of the first, one of the second [Debian's bunny and horse]\n"
     "  --frames N       of the loop                                   [24]\n"
     "  --size N         width of one picture of three, in pixels      [320]\n"
-    "  --rays N         shadow rays a sample and half                 [64]\n"
+    "  --rays N         shadow rays a sample and half                 [32]\n"
     "  --bands N        of the light that the vectors see              [6]\n"
     "  --threads N                                                    [all processors]\n"
     "  --out DIR        where frames, figures and animation go        [out]\n"
@@ -268,11 +268,12 @@ static int light_tables(show *s, why *w) {
 }
 
 static int shade_frame(show *s, int frame, figures *f, why *w) {
-    camera eye = camera_orbit(vec(0, 0, 1.15), 8.2, -1.2, 0.24, 0.5);
+    camera eye = camera_orbit(vec(0, 0, 1.3), 8.2, -1.2, 0.13, 0.5);
     double range, start;
     int k;
     pose(s, frame);
-    if (stage_move(&s->stage, w) || receivers_look(&s->stage, &eye, &s->seen)) return why_set(w, "the scene cannot be traced");
+    if (stage_move(&s->stage, w)) return -1;
+    if (receivers_look(&s->stage, &eye, &s->seen)) return why_set(w, "the scene cannot be traced");
     start = processor_seconds();
     if (light_tables(s, w)) return -1;
     f->light_ms = 1000 * (processor_seconds() - start);
@@ -355,7 +356,8 @@ static int make_frames(show *s, why *w) {
     }
     progress_end(&p, kept);
     fclose(s->csv);
-    if (interrupted) return why_set(w, "interrupted: %d of %d frames are in %s; --resume goes on", kept, s->o.frames, s->o.out);
+    if (interrupted)
+        return why_set(w, "interrupted: %d of %d frames are in %s; --resume goes on", kept, s->o.frames, s->o.out);
     return kept < s->o.frames ? -1 : 0;
 }
 
@@ -395,8 +397,8 @@ static int encode(const options *o, why *w) {
     free(words);
     free(paths);
     if (status == 127) {
-        fprintf(stderr, "fiv_scene: note: no animation, since img2webp is not installed (Debian: webp); the frames are in %s\n",
-                o->out);
+        fprintf(stderr, "fiv_scene: note: no animation, since img2webp is not installed (Debian: webp); the frames are"
+                " in %s\n", o->out);
         return 0;
     }
     if (status) return why_set(w, "img2webp could not make %s/fiv-scene.webp of the frames", o->out);
@@ -427,7 +429,7 @@ static int parse(int count, char **words, options *o, why *w) {
     o->out = "out";
     o->frames = 24;
     o->size = 320;
-    o->rays = 64;
+    o->rays = 32;
     o->bands = 6;
     o->threads = processor_count();
     for (i = 1; i < count; i++) {

@@ -1,13 +1,15 @@
 /* fiv_tables: the experiments of Michael and Chrysanthou's paper on fullsphere irradiance vectors, run again.
 
-   Writes DIR/fiv.md and the pictures it shows, DIR/gallery/fiv-*.png. The paper gives no positions, lights or camera, so
-   these are ours; its bunny is the same, its tree and queen are a horse. Figures are against ray-traced truth over the
-   ground around the occluders:
+   Writes DIR/fiv.md and the pictures it shows, DIR/gallery/fiv-*.png. The paper gives no positions, lights or camera,
+   so these are ours; its bunny is the same, its tree and queen are a horse. Figures are against ray-traced truth over
+   the ground around the occluders:
 
      NRMSE   root mean square difference of irradiance, all colours, divided by the range of the truth (largest minus
              smallest): the usual normalisation; the paper does not name its own.
      truth   the same environment, every texel a little area of even light: each is cut into parts with a ray each, no
-             noise. Beside it stands how far that moves when the parts are twice as wide: the error of the truth itself. */
+             noise. Beside it stands how far that moves when the parts are twice as wide: the truth's own error.
+
+   --keep DIR keeps finished tables there, so that an interrupted run need not bake them again. */
 #define _POSIX_C_SOURCE 200809L
 #define PRT_IMPLEMENTATION
 #define PRT_BAKE_IMPLEMENTATION
@@ -30,7 +32,7 @@
 #include "vector.h"
 #include "../bench/bench.h"
 
-enum { TRIO = 96, PLACES = 3 };          /* squares on the ground: pixels in a picture, places across a pixel */
+enum { TRIO = 96, PLACES = 2 };          /* squares on the ground: pixels in a picture, places across a pixel */
 enum { FACE = 32, MOST_TABLES = 64, MOST_OCCLUDERS = 60, BODIES = 3 };
 
 typedef enum light_id { SUN, LAMP, LAMPS, COLOURS, FOREST, LIGHTS } light_id;
@@ -163,9 +165,10 @@ static void lab_free(lab *l) {
 static int write_bakes(lab *l, why *w) {
     int k, which;
     fprintf(l->md, "## Table 1: time and memory of the bake\n\n"
-            "6 x %d x %d texels of forest.hdr, all lit, so that no texel is skipped; %d thread%s. Paper: 2.4 GHz Core 2 Duo,"
-            " processor only. Processor seconds count all threads; the factor is the paper's minutes over the wall time"
-            " of two such cores with nothing else to do, half the processor seconds.\n\n"
+            "6 x %d x %d texels of forest.hdr, all lit, so that no texel is skipped; %d thread%s. Paper: 2.4 GHz Core 2"
+            " Duo, processor only. Processor seconds count all threads; wall seconds include what else the machine did"
+            " meanwhile. The factor is the paper's minutes over what two such cores take with nothing else to do: half"
+            " the processor seconds.\n\n"
             "| object | vertices | samples | processor s | wall s | paper min | times faster | MiB | paper MB |"
             " rays/s a core |\n|---|---:|---|---:|---:|---:|---:|---:|---:|---:|\n",
             FACE, FACE, l->threads, l->threads == 1 ? "" : "s");
@@ -215,7 +218,8 @@ static void run_cost(void *user) {
     const cost_job *c = (const cost_job *)user;
     int k;
     if (c->batched) {
-        prt_fiv_shade_n(c->receiver_count, c->totals, c->positions, c->normals, c->count, c->occluders, c->flags, c->out);
+        prt_fiv_shade_n(c->receiver_count, c->totals, c->positions, c->normals, c->count, c->occluders, c->flags,
+                        c->out);
     } else {
         for (k = 0; k < c->receiver_count; k++)
             prt_fiv_shade(c->totals[k], c->positions[k], c->normals[k], c->count, c->occluders, c->flags, c->out + k);
@@ -337,16 +341,16 @@ static int cell_of(const fiv_baked *b, prt_vec3 to) {
     const prt_fiv_desc *d = &b->desc;
     double r = sqrt(vec_dot(to, to));
     double phi = atan2((double)to.y, (double)to.x) / (2 * pi);
-    int i = (int)(acos((double)to.z / r) / pi * (d->theta_count - 1)), j = (int)((phi < 0 ? phi + 1 : phi) * d->phi_count);
-    int k = 0;
+    int i = (int)(acos((double)to.z / r) / pi * (d->theta_count - 1));
+    int j = (int)((phi < 0 ? phi + 1 : phi) * d->phi_count), k = 0;
     while (k < d->rho_count - 2 && (double)d->rho[k + 1] <= r) k++;
     if (i > d->theta_count - 2) i = d->theta_count - 2;
     if (j > d->phi_count - 2) j = d->phi_count - 2;
     return (k * d->theta_count + i) * d->phi_count + j;
 }
 
-/* One occluder, receivers in the order of a picture (shuffled 0) or in random order: the cost of the lookup and shading,
-   scalar and batched, and of reading the memory alone. */
+/* One occluder, receivers in the order of a picture (shuffled 0) or in random order: the cost of the lookup and
+   shading, scalar and batched, and of reading the memory alone. */
 typedef struct single_cost { double scalar, batched, touch; } single_cost;
 
 static int time_single(lab *l, const fiv_baked *b, int shuffled, single_cost *best, why *w) {
@@ -413,15 +417,17 @@ static int write_singles(lab *l, why *w) {
     int k;
     fputs("One occluder and one receiver, the mean over 512 x 512 receivers around it, in the order of a picture or at"
           " random. Memory alone: the same 8 samples of 36 bytes read and summed, at cells known beforehand.\n\n"
-          "| table | order | `prt_fiv_shade` ns | `prt_fiv_shade_n` ns | memory alone ns |\n|---|---|---:|---:|---:|\n", l->md);
+          "| table | order | `prt_fiv_shade` ns | `prt_fiv_shade_n` ns | memory alone ns |\n|---|---|---:|---:|---:|\n",
+          l->md);
     for (k = l->quick ? QUICK : FINEST; k < RATES || k == QUICK; k++) {
         const fiv_baked *b = table_for(l, BUNNY, FOREST, k, w);
         int shuffled;
         for (shuffled = 0; b && shuffled < 2; shuffled++) {
             single_cost s = { 0, 0, 0 };
             if (time_single(l, b, shuffled, &s, w)) return -1;
-            fprintf(l->md, "| %dx%dx%d, %.2f MiB | %s | %.1f | %.1f | %.1f |\n", rates[k].phi, rates[k].theta, rates[k].rho,
-                    (double)prt_bake_fiv_count(&b->desc) * sizeof(prt_fiv) / 1048576, shuffled ? "random" : "picture",
+            fprintf(l->md, "| %dx%dx%d, %.2f MiB | %s | %.1f | %.1f | %.1f |\n", rates[k].phi, rates[k].theta,
+                    rates[k].rho, (double)prt_bake_fiv_count(&b->desc) * sizeof(prt_fiv) / 1048576,
+                    shuffled ? "random" : "picture",
                     s.scalar, s.batched, s.touch);
         }
         if (!b) return -1;
@@ -436,16 +442,16 @@ static int write_costs(lab *l, why *w) {
     int r = l->quick ? QUICK : USUAL, side = l->quick ? 64 : 512, k;
     for (k = 0; k < SHAPES; k++) if (!(tables[k] = table_for(l, k, FOREST, r, w))) return -1;
     if (time_crowds(l, tables, side, best, w)) return -1;
-    fprintf(l->md, "## Table 2: time a pixel\n\n%d x %d receivers on the ground below the crowd, tables of %dx%dx%d, one"
-            " thread. A mesh is not touched at run time: only its table is, so that triangles cannot matter. What the paper"
-            " shows on a GeForce 8800 GTS, frames a second of 512 x 512 pixels, is given as ns a pixel.\n\n"
+    fprintf(l->md, "## Table 2: time a pixel\n\n%d x %d receivers on the ground below the crowd, tables of %dx%dx%d,"
+            " one thread. A mesh is not touched at run time: only its table is, so that triangles cannot matter. What"
+            " the paper shows on a GeForce 8800 GTS, frames a second of 512 x 512 pixels, is given as ns a pixel.\n\n"
             "| scene | occluders | triangles | tables MiB | scalar ns | batched ns | without overlap ns |"
-            " batched ns an occluder | paper ns (whole GPU) |\n|---|---:|---:|---:|---:|---:|---:|---:|---:|\n", side, side,
-            rates[r].phi, rates[r].theta, rates[r].rho);
+            " batched ns an occluder | paper ns (whole GPU) |\n|---|---:|---:|---:|---:|---:|---:|---:|---:|\n", side,
+            side, rates[r].phi, rates[r].theta, rates[r].rho);
     write_crowds(l, tables, side, best);
     each = (best[CROWDS - 1][1] - best[4][1]) / 50 / side / side * 1e9;
-    fprintf(l->md, "\nFrom 10 to 60 occluders each costs %.1f ns more (%.1f without overlap). Ten occluders of %d, %d and, by"
-            " turns, both triangles: %.0f, %.0f and %.0f ns a pixel.\n\n", each,
+    fprintf(l->md, "\nFrom 10 to 60 occluders each costs %.1f ns more (%.1f without overlap). Ten occluders of %d, %d"
+            " and, by turns, both triangles: %.0f, %.0f and %.0f ns a pixel.\n\n", each,
             (best[CROWDS - 1][2] - best[4][2]) / 50 / side / side * 1e9, l->shapes[BUNNY].mesh.triangle_count,
             l->shapes[HORSE].mesh.triangle_count, best[2][1] / side / side * 1e9, best[3][1] / side / side * 1e9,
             best[4][1] / side / side * 1e9);
@@ -497,7 +503,7 @@ static const experiment experiments[] = {
 enum { EXPERIMENTS = sizeof experiments / sizeof *experiments };
 
 typedef struct outcome {
-    double  all, shadow, reference, worst;       /* NRMSE everywhere and in the shadow; of the truth itself; largest error */
+    double  all, shadow, reference, worst;       /* NRMSE everywhere, in the shadow, of the truth; largest error */
     picture fiv, truth, open, view;              /* over the ground, and what the camera sees */
 } outcome;
 
@@ -656,7 +662,8 @@ static int run_experiment(lab *l, int k, outcome *outcomes, why *w) {
 
 /* ---- their pictures ---- */
 
-static void centred(canvas *c, const text_font *font, double size, int x, int width, int y, int shade, const char *line) {
+static void centred(canvas *c, const text_font *font, double size, int x, int width, int y, int shade,
+                    const char *line) {
     text_draw(c, font, size, x + 0.5 * (width - text_width(font, size, line)), y, shade, line);
 }
 
@@ -701,9 +708,9 @@ static int save_sheet(lab *l, int sheet, const outcome *outcomes, why *w) {
 static void write_outcomes(lab *l, const outcome *outcomes) {
     int k, sheet;
     fprintf(l->md, "## Figures 12 to 17: error\n\nNRMSE over %d x %d places on the ground, a square of side 6 about the"
-            " occluders, whose bounding spheres have radius 1; tables from %g to %g radii in geometric steps. In the shadow:"
-            " the same over those places alone that lack more than 1 %% of the open ground's light, divided by the same"
-            " range. Places inside an object are left out.\n\n"
+            " occluders, whose bounding spheres have radius 1; tables from %g to %g radii in geometric steps. In the"
+            " shadow: the same over those places alone that lack more than 1 %% of the open ground's light, divided by"
+            " the same range. Places inside an object are left out.\n\n"
             "| figure | set-up | light | NRMSE | paper | in the shadow | largest error | truth's own |\n"
             "|---|---|---|---:|---:|---:|---:|---:|\n", l->size, l->size, (double)nearest, (double)farthest);
     for (k = 0; k < EXPERIMENTS; k++) {
@@ -769,7 +776,8 @@ static int bake_form(lab *l, const shape *from, int bands, fiv_baked *b, why *w)
 }
 
 /* A row: the turned body from a table for any light of so many bands. */
-static int write_bands(lab *l, set *s, int bands, const picture *traced, const picture *fresh, picture *shaded, why *w) {
+static int write_bands(lab *l, set *s, int bands, const picture *traced, const picture *fresh, picture *shaded,
+                       why *w) {
     prt_real *light = (prt_real *)malloc(3 * (size_t)PRT_SH_COUNT(bands) * sizeof *light);
     prt_fiv_table table;
     fiv_baked b;
@@ -799,10 +807,10 @@ static int write_bands(lab *l, set *s, int bands, const picture *traced, const p
     return failed ? -1 : 0;
 }
 
-/* A bunny turned by 70 degrees about a slanting axis: its shadow by a fresh bake of the turned mesh, and by the table of
-   the mesh as it was, turned at run time. */
+/* A bunny turned by 70 degrees about a slanting axis: its shadow by a fresh bake of the turned mesh, and by the table
+   of the mesh as it was, turned at run time. */
 static int write_transfer(lab *l, why *w) {
-    static const int bands[] = { 2, 3, 4, 6, 8, 12 };
+    static const int bands[] = { 2, 4, 6, 8 };
     static const experiment e = { 0, "", "", FOREST, FORM_RATE, 1, FLOATING, 0, "" };
     outcome o;
     picture shaded;
@@ -818,10 +826,11 @@ static int write_transfer(lab *l, why *w) {
     memset(&fresh, 0, sizeof fresh);
     rotation_about(vec_unit(vec(1, 0.5, 0.3), vec(1, 0, 0)), 70 * pi / 180, rotation);
     fputs("## Beyond the paper: the transfer form, for occluders that turn and lights that change\n\n"
-          "The paper's tables hold one environment, and its occluders cannot turn (its section 6). `prt_bake_fiv_transfer`"
-          " keeps for each place what is hidden, in spherical harmonics, instead of the light of it; every light of so many"
-          " bands, turned in any way, then gives a table without a ray. A bunny turned by 70 degrees about (1, .5, .3) under"
-          " forest.hdr, tables of 64x33x30; a fresh bake of the turned mesh sees all frequencies.\n\n"
+          "The paper's tables hold one environment, and its occluders cannot turn (its section 6)."
+          " `prt_bake_fiv_transfer` keeps for each place what is hidden, in spherical harmonics, not the light of"
+          " it; every light of so many bands, turned in any way, then gives a table without a ray. A bunny turned by 70"
+          " degrees about (1, .5, .3) under forest.hdr, tables of 64x33x30; a fresh bake of the turned mesh sees"
+          " all frequencies.\n\n"
           "| table | NRMSE to the truth | to the fresh bake | bake, processor s | new light, ms | MiB |\n"
           "|---|---:|---:|---:|---:|---:|\n", l->md);
     failed = build_set(l, &e, &s, w) || picture_create(l->size, l->size, &shaded, w) ||
@@ -832,7 +841,7 @@ static int write_transfer(lab *l, why *w) {
     }
     if (!failed) {
         prt_real upright[9] = { 1, 0, 0, 0, 1, 0, 0, 0, 1 };
-        memcpy(s.bodies[0].rotation, upright, sizeof upright);               /* the fresh table is in the world's frame */
+        memcpy(s.bodies[0].rotation, upright, sizeof upright);     /* the fresh table is in the world's frame */
         s.tables[0] = &fresh.table;
         failed = shade_ground(l, &s, &o.fiv, w);
         memcpy(s.bodies[0].rotation, rotation, sizeof rotation);
@@ -858,8 +867,9 @@ static int repack(const prt_fiv_table *from, int bits, prt_fiv *samples, double 
     void *data = malloc(size);
     prt_fiv *low = (prt_fiv *)malloc(2 * rows * sizeof *low);
     prt_fiv_packed packed;
-    prt_result result = data && low ? prt_fiv_pack(from, bits, data, bits == 8 ? low : NULL, bits == 8 ? low + rows : NULL, &packed)
-                                    : PRT_ERR_MEMORY;
+    prt_result result = data && low ? PRT_OK : PRT_ERR_MEMORY;
+    if (result == PRT_OK)
+        result = prt_fiv_pack(from, bits, data, bits == 8 ? low : NULL, bits == 8 ? low + rows : NULL, &packed);
     if (result == PRT_OK) result = prt_fiv_unpack(&packed, 0, count, samples);
     *bytes = (double)size + (bits == 8 ? 2.0 * (double)rows * sizeof *low : 0);
     free(data);
@@ -899,9 +909,10 @@ static int write_packed_row(lab *l, int light, why *w) {
 
 static int write_packed(lab *l, why *w) {
     int r = l->quick ? QUICK : USUAL, light;
-    fprintf(l->md, "## Packed tables\n\nThe floating bunny's shadow from a table of %dx%dx%d vectors packed (`prt_fiv_pack`),"
-            " against the same table in float, as part of the range.\n\n"
-            "| light | bits | NRMSE | largest | MiB |\n|---|---:|---:|---:|---:|\n", rates[r].phi, rates[r].theta, rates[r].rho);
+    fprintf(l->md, "## Packed tables\n\nThe floating bunny's shadow from a table of %dx%dx%d vectors packed"
+            " (`prt_fiv_pack`), against the same table in float, as part of the range.\n\n"
+            "| light | bits | NRMSE | largest | MiB |\n|---|---:|---:|---:|---:|\n", rates[r].phi, rates[r].theta,
+            rates[r].rho);
     for (light = 0; light < LIGHTS; light++) if (write_packed_row(l, light, w)) return -1;
     fputs("\n", l->md);
     return 0;
@@ -926,8 +937,8 @@ static int write_page(lab *l, why *w) {
     if (make_lights(l, w) || load_shapes(l, w) || replacement_open(path, &page, w)) return -1;
     l->md = page.file;
     fprintf(l->md, "# Fullsphere irradiance vectors: the paper's experiments again\n\n"
-            "Written by `examples/fiv_tables.c` (`make fiv`) on %s, %s, %s, float. Rays: Embree 3. What the figures say of"
-            " the paper's claims stands in [papers.md](papers.md); the formulas in [math.md](math.md).\n\n"
+            "Written by `examples/fiv_tables.c` (`make fiv`) on %s, %s, %s, float. Rays: Embree 3. What the figures say"
+            " of the paper's claims stands in [papers.md](papers.md); the formulas in [math.md](math.md).\n\n"
             "![An animation: vectors, ray traced, difference](gallery/fiv-scene.webp)\n\n", bench_cpu_name(),
             EXAMPLE_COMPILER, EXAMPLE_FLAGS);
     if (write_bakes(l, w) || write_figures(l, w) || write_costs(l, w) || write_transfer(l, w) || write_packed(l, w)) {
@@ -951,10 +962,13 @@ static int parse(int count, char **words, lab *l, why *w) {
         if (strcmp(word, "--quick") == 0) { l->quick = 1; l->size = 24; }
         else if (strcmp(word, "--out") == 0 && value) { l->out = value; i++; }
         else if (strcmp(word, "--keep") == 0 && value) { l->keep = value; i++; }
-        else if (strcmp(word, "--meshes") == 0 && i + 2 < count) { l->meshes[BUNNY] = value; l->meshes[HORSE] = words[i += 2]; }
+        else if (strcmp(word, "--meshes") == 0 && i + 2 < count) {
+            l->meshes[BUNNY] = value;
+            l->meshes[HORSE] = words[i += 2];
+        }
         else if (strcmp(word, "--threads") == 0 && value) { l->threads = atoi(value); i++; }
-        else return why_set(w, "%s: not understood. usage: fiv_tables [--quick] [--out DIR] [--keep DIR] [--meshes FILE FILE] [--threads N]",
-                            word);
+        else return why_set(w, "%s: not understood. usage: fiv_tables [--quick] [--out DIR] [--keep DIR]"
+                            " [--meshes FILE FILE] [--threads N]", word);
     }
     return l->threads >= 1 && l->threads <= 256 ? 0 : why_set(w, "--threads: must be a whole number from 1 to 256");
 }

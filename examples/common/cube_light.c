@@ -69,12 +69,14 @@ double cube_light_solid_angle(const cube_light *c, int texel) {
 /* ---- filling ---- */
 
 static void add_image_at(const image *from, prt_vec3 d, double weight, double sum[3]) {
+    const float *texel;
     double phi = atan2((double)d.y, (double)d.x);
     int x = (int)((phi < 0 ? phi + 2 * pi : phi) / (2 * pi) * from->width), k;
     int y = (int)(acos((double)d.z) / pi * from->height);
     if (x >= from->width) x = from->width - 1;
     if (y >= from->height) y = from->height - 1;
-    for (k = 0; k < 3; k++) sum[k] += weight * (double)from->rgb[3 * ((size_t)y * (size_t)from->width + (size_t)x) + (size_t)k];
+    texel = from->rgb + 3 * ((size_t)y * (size_t)from->width + (size_t)x);
+    for (k = 0; k < 3; k++) sum[k] += weight * (double)texel[k];
 }
 
 int cube_light_from_image(const image *from, int size, cube_light *c, why *w) {
@@ -86,7 +88,8 @@ int cube_light_from_image(const image *from, int size, cube_light *c, why *w) {
         double sum[3] = { 0, 0, 0 }, weights = 0;
         for (j = 0; j < ACROSS; j++) {
             for (i = 0; i < ACROSS; i++) {
-                double s = (in_face % size + (i + 0.5) / ACROSS) / size, t = (in_face / size + (j + 0.5) / ACROSS) / size;
+                double s = (in_face % size + (i + 0.5) / ACROSS) / size;
+                double t = (in_face / size + (j + 0.5) / ACROSS) / size;
                 double weight = pow(1 + (2 * s - 1) * (2 * s - 1) + (2 * t - 1) * (2 * t - 1), -1.5);
                 add_image_at(from, cube_light_direction(texel / (size * size), s, t), weight, sum);
                 weights += weight;
@@ -180,7 +183,8 @@ int cube_light_refine(const cube_light *from, int parts, cube_light *c, why *w) 
         for (j = 0; j < size; j++)
             for (i = 0; i < size; i++)
                 memcpy(c->texels + 3 * ((face * size + j) * size + i),
-                       from->texels + 3 * ((face * from->size + j / parts) * from->size + i / parts), 3 * sizeof(float));
+                       from->texels + 3 * ((face * from->size + j / parts) * from->size + i / parts),
+                       3 * sizeof(float));
     return cube_light_ready(c, w);
 }
 

@@ -77,7 +77,8 @@ static uint64_t mark_of(const fiv_bake_job *job) {
     hash = transfer_checksum(hash, &job->grid.nearest, sizeof job->grid.nearest);
     hash = transfer_checksum(hash, &job->grid.farthest, sizeof job->grid.farthest);
     if (!job->bands)
-        hash = transfer_checksum(hash, job->light->texels, 18 * sizeof(float) * (size_t)job->light->size * (size_t)job->light->size);
+        hash = transfer_checksum(hash, job->light->texels,
+                                 18 * sizeof(float) * (size_t)job->light->size * (size_t)job->light->size);
     return hash;
 }
 

@@ -12,7 +12,8 @@
 /* A mesh scaled to a bounding sphere of this radius about the origin, with a tracer of its own to bake from. */
 typedef struct shape { char name[32]; mesh mesh; embree_tracer tracer; prt_real radius; } shape;
 
-/* A .3ds file is taken as z-down, as glmark2's are, others as y-up. beside: a shape of the same stage, loaded earlier, or NULL. */
+/* A .3ds file is taken as z-down, as glmark2's are, others as y-up. beside: a shape of the same stage, loaded earlier,
+   or NULL. */
 int  shape_load(const char *path, prt_real radius, const shape *beside, shape *s, why *w);
 /* The same shape turned about its centre for good. */
 int  shape_turned(const shape *from, const prt_real rotation[9], shape *s, why *w);
@@ -78,15 +79,15 @@ int  truth_trace(const truth *t, why *w);
 /* Irradiance to what the camera sees: times albedo over pi on surfaces, the light itself where the sky is seen. */
 void stage_expose(const stage *s, const receivers *r, const cube_light *sky, picture *p);
 
-/* Root mean square of a - b over the samples that both show, all colours; unbiased by the noise of b's two halves (b1 may
-   be b0). open not NULL: only over samples that lack more than 1 % of it. */
+/* Root mean square of a - b over the samples that both show, all colours; unbiased by the noise of b's two halves (b1
+   may be b0). open not NULL: only over samples that lack more than 1 % of it. */
 double picture_rms(const picture *a, const picture *b0, const picture *b1, const picture *open);
 
 /* Largest minus smallest value of a colour on surfaces, of the colour where that is most. */
 double picture_range(const picture *p);
 
-/* Signed difference a - b, from + 1/gain (white) to - 1/gain (black) of `range`; none is mid-grey. per_pixel x per_pixel
-   samples a pixel; black where nothing is seen. */
+/* Signed difference a - b, from + 1/gain (white) to - 1/gain (black) of `range`; none is mid-grey. per_pixel x
+   per_pixel samples a pixel; black where nothing is seen. */
 void canvas_put_difference(canvas *c, int x, int y, const picture *a, const picture *b, int per_pixel, double range,
                            double gain);
 
