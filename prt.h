@@ -461,14 +461,15 @@ PRTDEF prt_result prt_sh_rotate_by_soa(int bands, const prt_real *blocks, int co
    sines are quotients of entries of R, good at the poles too, and no angle is computed. Reflections go by M(-R) =
    (-1)^l M(R). out may be f.
    Accuracy, float/double, tilts of 1e-7 from the poles included, for |f_i| <= 1: 2e-6/4e-15 to 8 bands, 3e-7/8e-16 a
-   band above. 1000 turns by 2 pi/1000 at 6 bands come back within 1e-4 in float, about x, y, z and (3,0,4) within
-   6e-5, of which the rounding of R alone makes 1e-5 (docs/rotation.md): a is worked out in double from g as it was
-   rounded, and the constants of the swap are rounded so that it stays its own inverse. Cost: 9 55 122 224 358 528 738
-   multiplications and about 0.6 times as many additions for 2 to 8 bands, most of them four at a time, one root, two
-   divisions; 0.4, 0.66, 0.85 and 0.75 times the time of DirectXMath's XMSHRotate at 3 to 6 bands (AVX-512; 0.47,
-   0.68, 0.87 and 0.8 with SSE2). Above 8 bands the swap is computed on the way, in double, about 16 l^2 operations a
-   band without a root or division: 0.22, 1.5 and 41 us at 9, 16 and 64 bands (AVX-512; 0.35, 3.3 and 167 us with
-   SSE2), a seventh of what building the blocks takes. */
+   band above. 1000 turns by 2 pi/1000 at 6 bands come back in float within 7e-5 about x, y and z, 1e-5 of which the
+   rounding of R alone makes; about other axes within 1e-4 in the mean and 4e-4 at worst, since multiples of g are
+   rounded each on its own (docs/rotation.md). a is worked out in double from g as it was rounded, and the constants
+   of the swap are rounded so that it stays its own inverse. Cost: 9 55 122 224 358 528 738 multiplications and about
+   0.6 times as many additions for 2 to 8 bands, most of them four at a time, one root, two divisions; 0.4, 0.66,
+   0.86 and 0.76 times the time of DirectXMath's XMSHRotate at 3 to 6 bands (AVX-512; 0.47, 0.68, 0.87 and 0.81 with
+   SSE2). Above 8 bands the swap is computed on the way, in double, about 16 l^2 operations a band without a root or
+   division: 0.22, 1.5 and 41 us at 9, 16 and 64 bands (AVX-512; 0.35, 3.3 and 167 us with SSE2), a seventh of what
+   building the blocks takes. */
 PRTDEF prt_result prt_sh_rotate     (int bands, const prt_real rotation[9], const prt_real *f, prt_real *out);
 
 /* The same about z by an angle in radians (finite, else PRT_ERR_VALUE), from +x towards +y. out may be f.

@@ -430,7 +430,7 @@ static void a_thousand_turns_return(void **state) {
     }
 }
 
-/* About any axis, in one shot: three turns and two swaps take part, 1000 * 5 * 5 * 2^-54 in double. */
+/* About any axis, in one shot: three turns and two swaps take part, 1000 * 5 * 5 half rounding errors. */
 static void a_thousand_turns_about_any_axis(void **state) {
     enum { BANDS = 6, N = 36 };
     prt_real f[N], g[N], r[9];
@@ -452,7 +452,7 @@ static void a_thousand_turns_about_any_axis(void **state) {
         random_vector(N, f);
         memcpy(g, f, sizeof f);
         for (k = 0; k < 1000; k++) prt_sh_rotate(BANDS, r, g, g);
-        assert_at_most(distance(N, f, g), BY_PRECISION(1.5e-4, 1.4e-12));
+        assert_at_most(distance(N, f, g), BY_PRECISION(7.4e-4, 1.4e-12));
     }
 }
 
