@@ -2586,8 +2586,9 @@ static const double *prt__window_hann(void), *prt__window_lanczos(void), *prt__w
 
 /* The weights of a window that is tabulated, or NULL */
 PRT__STATIC const double *prt__window_row(prt_window w, int width) {
-    int first = width * (width - 1) / 2;
+    int first;
     if (width > PRT__WINDOW_TABLES) return NULL;
+    first = width * (width - 1) / 2;
     switch (w) {
         case PRT_WINDOW_HANN:     return prt__window_hann() + first;
         case PRT_WINDOW_LANCZOS:  return prt__window_lanczos() + first;

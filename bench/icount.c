@@ -65,6 +65,11 @@ int main(void) {
     COUNT_IT("sh_rotation-5", prt_sh_rotation(5, turn, blocks));
     COUNT_IT("sh_rotate_by-5", prt_sh_rotate_by(5, blocks, f, out));
     COUNT_IT("sh_rotate_by_n-5x256", prt_sh_rotate_by_n(5, blocks, COUNT, rows, out));
+    COUNT_IT("sh_product-3", prt_sh_product(3, f, g, out));
+    COUNT_IT("sh_product-5", prt_sh_product(5, f, g, out));
+    COUNT_IT("sh_product-10", prt_sh_product(10, f, g, out));
+    COUNT_IT("sh_product_soa-5x128", prt_sh_product_soa(5, COUNT / 2, rows, rows + COUNT / 2, out, COUNT));
+    COUNT_IT("sh_mask_filter-5", prt_sh_mask_filter(5, PRT_WINDOW_POSITIVE, f, g, out));
     COUNT_IT("shade_diffuse_n-5x256", prt_shade_diffuse_n(5, COUNT, rows, f, shaded));
     return 0;
 }

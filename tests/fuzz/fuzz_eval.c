@@ -211,6 +211,44 @@ static void shade(source *s, int bands, size_t n) {
     CHECK(prt_shade_diffuse_n(bands, count, reals(s, items * n), maybe(s, reals(s, 3 * n)), (prt_rgb *)out(s, 3 * items)));
 }
 
+static void multiply(source *s, int bands, size_t n) {
+    const prt_real *f = maybe(s, reals(s, n)), *g = maybe(s, reals(s, n));
+    int window = take_int(s, -1, 4), count = take_int(s, -1, 20);
+    size_t items = count > 0 && count <= 20 ? (size_t)count : 0, stride = (size_t)take_int(s, 0, 24);
+    if (count > 20) count = -count;
+    switch (take(s) % 8) {
+        case 0: CHECK(prt_sh_product(bands, f, g, out(s, n))); break;
+        case 1: CHECK(prt_sh_square(bands, f, out(s, n))); break;
+        case 2: CHECK(prt_sh_product_zonal(bands, f, g, out(s, n))); break;
+        case 3: CHECK(prt_sh_mask(bands, (prt_window)window, f, g, out(s, n))); break;
+        case 4: CHECK(prt_sh_mask_filter(bands, (prt_window)window, f, g, out(s, n))); break;
+        case 5: CHECK(prt_ch_product(bands, f, g, out(s, n))); break;
+        case 6: {
+            size_t size = items && stride >= items && stride <= 24 ? n * stride : 1;
+            if (stride <= 24 || !items)
+                CHECK(prt_sh_product_soa(bands, count, reals(s, size), reals(s, size), out(s, size), stride));
+            break;
+        }
+        default:
+            if (bands > 6) return;                            /* n^2 products */
+            if (take(s) % 2) CHECK(prt_sh_product_matrix(bands, f, out(s, n * n)));
+            else CHECK(prt_sh_product_by_n(bands, reals(s, n * n), count, reals(s, items * n), out(s, items * n)));
+    }
+}
+
+static void smooth(source *s, int bands, size_t n) {          /* the slow ones */
+    const prt_real *f = maybe(s, reals(s, n));
+    prt_vec3 dir;
+    volatile prt_real sink;
+    switch (take(s) % 5) {
+        case 0: CHECK(prt_sh_exp(bands, f, out(s, n))); break;
+        case 1: CHECK(prt_sh_exp_linear(bands, f, out(s, n))); break;
+        case 2: CHECK(prt_sh_log(bands, take_int(s, 0, PRT_KRYLOV_MAX + 1), take_real(s), f, out(s, n))); break;
+        case 3: if (bands <= 4) CHECK(prt_sh_dering(bands, f, out(s, n), NULL)); break;
+        default: if (bands <= 4) { sink = prt_sh_minimum(bands, f, &dir); (void)sink; }
+    }
+}
+
 static void values(source *s, int bands, size_t n) {         /* functions that return a value: they only must return */
     const prt_real *f = maybe(s, reals(s, n)), *g = maybe(s, reals(s, n));
     volatile double sink;
@@ -236,12 +274,14 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     n = bands >= 1 && bands <= PRT_MAX_BANDS ? (size_t)PRT_SH_COUNT(bands) : 1;
     taken_count = 0;
     output_count = 0;
-    switch (take(&s) % 6) {
+    switch (take(&s) % 8) {
         case 0: evaluate(&s, bands, n); break;
         case 1: project(&s, bands, n); break;
         case 2: transform(&s, bands, n); break;
         case 3: rotate(&s, bands, n); break;
         case 4: shade(&s, bands, n); break;
+        case 5: multiply(&s, bands, n); break;
+        case 6: smooth(&s, bands, n); break;
         default: values(&s, bands, n); break;
     }
     for (k = 0; k < taken_count; k++) free(taken[k]);
