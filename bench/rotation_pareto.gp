@@ -8,7 +8,7 @@ set ylabel "largest error of a coefficient"
 set format y "10^{%L}"
 set yrange [1e-17:1e-4]
 set grid xtics ytics lc rgb "#dddddd"
-set key below vertical maxcols 2 Left reverse samplen 3
+set key inside right center vertical maxcols 1 Left reverse samplen 3   # between float and double
 set rmargin 4
 array colour[5] = ["#1b6ca8", "#d1495b", "#2e8b57", "#b5651d", "#6a4c93"]
 of(what, form, build, column) = strcol("what") eq what && strcol("form") eq form && strcol("build") eq build ? column : NaN
