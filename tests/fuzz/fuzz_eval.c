@@ -264,6 +264,56 @@ static void values(source *s, int bands, size_t n) {         /* functions that r
     if (!prt_result_string((prt_result)take_int(s, -1, 12))) abort();
 }
 
+static int inside_total(prt_rgb c, prt_rgb total) {
+    const prt_real v[3] = { c.r, c.g, c.b }, most[3] = { total.r, total.g, total.b };
+    int k;
+    for (k = 0; k < 3; k++) {
+        if (most[k] - most[k] != 0) continue;                /* no finite total, no promise */
+        if (!(v[k] >= 0) || v[k] > (most[k] > 0 ? most[k] : 0)) return 0;
+    }
+    return 1;
+}
+
+/* Moving occluders: small tables of any numbers, distances in any order, and what they take stays within the total. */
+static void occlude(source *s) {
+    prt_fiv_table t;
+    prt_fiv_transfer any;
+    prt_fiv_occluder occluders[3];
+    prt_fiv_packed packed;
+    prt_fiv looked;
+    prt_rgb total, *lit;
+    size_t samples, k;
+    unsigned flags = take(s);
+    int count = take_int(s, 0, 3);
+    memset(&t, 0, sizeof t);
+    t.theta_count = 1 + (int)(take(s) % 3); t.phi_count = 1 + (int)(take(s) % 4); t.rho_count = 1 + (int)(take(s) % 3);
+    samples = (size_t)(t.theta_count * t.phi_count * t.rho_count);
+    t.rho = reals(s, (size_t)t.rho_count);
+    t.radius = take_real(s);
+    t.samples = (const prt_fiv *)reals(s, samples * 9);
+    if (take(s) & 1) {
+        unsigned char *inside = (unsigned char *)room(samples);
+        for (k = 0; k < samples; k++) inside[k] = (unsigned char)(take(s) & 1);
+        t.inside = inside;
+    }
+    for (k = 0; k < 3; k++) { occluders[k].table = &t; occluders[k].position = take_direction(s); }
+    total.r = take_real(s); total.g = take_real(s); total.b = take_real(s);
+    lit = (prt_rgb *)out(s, 3);
+    if (count > 3) count = -1;
+    {
+        prt_vec3 at = take_direction(s), normal = take_direction(s);
+        if (prt_fiv_shade(total, at, normal, count, occluders, flags, lit) == PRT_OK && !inside_total(*lit, total)) abort();
+        if (prt_fiv_lookup(&t, at, &looked) == PRT_OK && !prt__fiv_sample_finite(&looked)) abort();
+        if (prt_fiv_self(&looked, &t, at, normal, lit) == PRT_OK && !(lit->r >= 0)) abort();
+        if (prt_fiv_pack(&t, 16, room(samples * 18), NULL, NULL, &packed) == PRT_OK) prt_fiv_packed_lookup(&packed, at, &looked);
+        any.bands = 1;
+        any.theta_count = t.theta_count; any.phi_count = t.phi_count; any.rho_count = t.rho_count;
+        any.rho = t.rho; any.radius = t.radius; any.inside = t.inside;
+        any.samples = reals(s, samples * 4);
+        if (prt_fiv_transfer_lookup(&any, NULL, reals(s, 36), at, &looked) == PRT_OK && !prt__fiv_sample_finite(&looked)) abort();
+    }
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     source s;
     int bands, k;
@@ -274,7 +324,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     n = bands >= 1 && bands <= PRT_MAX_BANDS ? (size_t)PRT_SH_COUNT(bands) : 1;
     taken_count = 0;
     output_count = 0;
-    switch (take(&s) % 8) {
+    switch (take(&s) % 9) {
         case 0: evaluate(&s, bands, n); break;
         case 1: project(&s, bands, n); break;
         case 2: transform(&s, bands, n); break;
@@ -282,6 +332,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         case 4: shade(&s, bands, n); break;
         case 5: multiply(&s, bands, n); break;
         case 6: smooth(&s, bands, n); break;
+        case 7: occlude(&s); break;
         default: values(&s, bands, n); break;
     }
     for (k = 0; k < taken_count; k++) free(taken[k]);
