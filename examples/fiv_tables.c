@@ -770,7 +770,8 @@ static int bake_form(lab *l, const shape *from, int bands, fiv_baked *b, why *w)
     job.keep = l->keep;
     job.threads = l->threads;
     job.stop = &interrupted;
-    snprintf(what, sizeof what, "fiv_tables: %s, %d bands", from->name, bands);
+    if (bands) snprintf(what, sizeof what, "fiv_tables: %s, %d bands", from->name, bands);
+    else snprintf(what, sizeof what, "fiv_tables: %s, turned", from->name);
     job.what = what;
     return fiv_bake_run(&job, b, w);
 }
