@@ -170,7 +170,7 @@ static int write_bakes(lab *l, why *w) {
             " meanwhile. The factor is the paper's minutes over what two such cores take with nothing else to do: half"
             " the processor seconds.\n\n"
             "| object | vertices | samples | processor s | wall s | paper min | times faster | MiB | paper MB |"
-            " rays/s a core |\n|---|---:|---|---:|---:|---:|---:|---:|---:|---:|\n",
+            " texels in cones/s a core |\n|---|---:|---|---:|---:|---:|---:|---:|---:|---:|\n",
             FACE, FACE, l->threads, l->threads == 1 ? "" : "s");
     for (which = 0; which < SHAPES; which++) {
         for (k = l->quick ? QUICK : FINEST; k < RATES || k == QUICK; k++) {
