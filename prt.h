@@ -558,7 +558,7 @@ PRTDEF prt_result prt_sh_mask_filter(int bands, prt_window w, const prt_real *li
    exp*(sum of log*(v_b)), one exponential for all, where a chain of masks takes a product for each. With M_f the
    operator "multiply by f, truncate to n bands", a function F of f is F(M_f) 1: F of a symmetric matrix, applied to the
    constant 1. docs/masks.md compares all of this with chains of masks, in accuracy and time, for 1 to 64 blockers: the
-   error is that of a chain of plain products, the time, from about four blockers on, a fraction.
+   error is that of a chain of plain products, the time, from about eight blockers on, a fraction.
 
    prt_sh_exp: the mean is split off (a factor), the rest halved h times until its norm is at most 1, exponentiated by a
    series of degree 4 and squared h times. Products: 3, and h squares, h = log2 of the norm of f without its mean.
@@ -577,7 +577,7 @@ PRTDEF prt_result prt_sh_exp_linear(int bands, const prt_real *f, prt_real *out)
 /* log* of a visibility; values below least (0.02, say: log 0 is not finite) count as least, of 1 and above as they are.
    Lanczos' recurrence from the constant 1: M_f in the Krylov space of 1, f, f f, ..., f^(steps-1), its eigenvalues'
    logarithms. steps      1 ... PRT_KRYLOV_MAX, else PRT_ERR_COUNT; the error falls with it until it is that of least
-   Cost: steps-1 products, 4 steps^2 n^2 multiply-adds, eigenvalues of a matrix of steps: about 10 us at 6 bands and 12
+   Cost: steps-1 products, 4 steps^2 n^2 multiply-adds, eigenvalues of a matrix of steps: about 18 us at 6 bands and 12
    steps. For blockers like caps, make it once for each size, keep the zonal coefficients, and turn them with
    prt_sh_zonal_to. out may alias f. Errors, in this order: PRT_ERR_BANDS, PRT_ERR_COUNT, PRT_ERR_NULL, PRT_ERR_VALUE
    unless 0 < least < infinity. A value of f that is not finite makes every coefficient NaN. */

@@ -1,6 +1,6 @@
 /* masks - which chains of masks grow, fade or hold, and the logarithm and exponential beside them.
 
-     masks [-o docs/masks.md] [--plot docs/masks.png]
+     masks [-o docs/masks.md] [--plot docs/masks.png] [--plot-blockers docs/plots/blockers_pareto.svg]
 
    Writes the tables of docs/masks.md; the plot (1 to 64 masks at 3 bands) needs gnuplot. Seeds are fixed: but for the
    times, every run writes the same. */
@@ -374,39 +374,42 @@ static double now(void) {
     return (double)t.tv_sec * 1e6 + (double)t.tv_nsec * 1e-3;
 }
 
-static void print_blockers(int bands) {
-    static const int counts[] = { 1, 2, 4, 8, 16, 32, 64 };
-    enum { COUNTS = 7, SCENES = 12 };
+static const int blocker_counts[] = { 1, 2, 4, 8, 16, 32, 64 };
+enum { COUNTS = 7, SCENES = 12 };
+
+static void measure_blockers(int bands, int count, double error[METHODS], double time[METHODS]) {
     static scene scenes[SCENES];
-    double error[METHODS][COUNTS], time[METHODS][COUNTS];
-    int c, m, k;
-    for (c = 0; c < COUNTS; c++) {
-        state = 99;
-        for (k = 0; k < SCENES; k++) make_scene(&scenes[k], bands, counts[c]);
-        for (m = 0; m < METHODS; m++) {
-            double sum = 0, best = 1e300;
-            prt_real out[SIZE];
-            int round;
-            for (k = 0; k < SCENES; k++) {
-                evaluate(&scenes[k], m, out);
-                sum += pow(distance(bands * bands, out, scenes[k].truth), 2) / (4 * pi) / SCENES;
-            }
-            for (round = 0; round < 20; round++) {
-                double start = now();
-                for (k = 0; k < SCENES; k++) evaluate(&scenes[k], m, out);
-                start = (now() - start) / SCENES;
-                if (start < best) best = start;
-            }
-            error[m][c] = sqrt(sum);
-            time[m][c] = best;
+    int m, k, round;
+    state = 99;
+    for (k = 0; k < SCENES; k++) make_scene(&scenes[k], bands, count);
+    for (m = 0; m < METHODS; m++) {
+        double sum = 0, best = 1e300;
+        prt_real out[SIZE];
+        for (k = 0; k < SCENES; k++) {
+            evaluate(&scenes[k], m, out);
+            sum += pow(distance(bands * bands, out, scenes[k].truth), 2) / (4 * pi) / SCENES;
         }
+        for (round = 0; round < 20; round++) {
+            double start = now();
+            for (k = 0; k < SCENES; k++) evaluate(&scenes[k], m, out);
+            start = (now() - start) / SCENES;
+            if (start < best) best = start;
+        }
+        error[m] = sqrt(sum);
+        time[m] = best;
     }
+}
+
+static void print_blockers(int bands) {
+    double error[COUNTS][METHODS], time[COUNTS][METHODS];
+    int c, m;
+    for (c = 0; c < COUNTS; c++) measure_blockers(bands, blocker_counts[c], error[c], time[c]);
     fprintf(to, "\n| %d bands: error, time in us |", bands);
-    for (c = 0; c < COUNTS; c++) fprintf(to, " %d |", counts[c]);
+    for (c = 0; c < COUNTS; c++) fprintf(to, " %d |", blocker_counts[c]);
     fprintf(to, "\n|---|---:|---:|---:|---:|---:|---:|---:|\n");
     for (m = 0; m < METHODS; m++) {
         fprintf(to, "| %s |", method_names[m]);
-        for (c = 0; c < COUNTS; c++) fprintf(to, " %.3f, %.2f |", error[m][c], time[m][c]);
+        for (c = 0; c < COUNTS; c++) fprintf(to, " %.3f, %.2f |", error[c][m], time[c][m]);
         fprintf(to, "\n");
     }
 }
@@ -442,18 +445,39 @@ static int plot(const char *path) {
     return pclose(p) == 0;
 }
 
+/* Error against time for 16 blockers, a curve a method over 2 to 8 bands */
+static int plot_blockers(const char *path) {
+    double error[MOST + 1][METHODS], time[MOST + 1][METHODS];
+    FILE *p = popen("gnuplot", "w");
+    int m, n;
+    if (!p) return 0;
+    for (n = LEAST; n <= MOST; n++) measure_blockers(n, 16, error[n], time[n]);
+    fprintf(p, "set terminal svg size 800,560 noenhanced dynamic font 'sans-serif,13' background 'white'\nset output '%s'\n"
+               "set logscale xy\nset xlabel 'us for 16 blockers, 2 to 8 bands from left to right'\n"
+               "set ylabel 'error, full sight is 1'\nset yrange [0.01:1]\nset grid xtics ytics lc rgb '#dddddd'\n"
+               "set key bottom right Left reverse\nplot ", path);
+    for (m = 0; m < METHODS; m++) fprintf(p, "%s'-' with linespoints lw 2 title '%s'", m ? ", " : "", method_names[m]);
+    fprintf(p, "\n");
+    for (m = 0; m < METHODS; m++) {
+        for (n = LEAST; n <= MOST; n++) fprintf(p, "%g %g\n", time[n][m], error[n][m]);
+        fprintf(p, "e\n");
+    }
+    return pclose(p) == 0;
+}
+
 static int usage(void) {
-    fprintf(stderr, "masks: usage: masks [-o FILE.md] [--plot FILE.png]\n");
+    fprintf(stderr, "masks: usage: masks [-o FILE.md] [--plot FILE.png] [--plot-blockers FILE.svg]\n");
     return 2;
 }
 
 int main(int argc, char **argv) {
-    const char *picture = NULL, *page = NULL, *name;
+    const char *picture = NULL, *blockers = NULL, *page = NULL, *name;
     int i;
     for (i = 1; i < argc; i += 2) {
         if (i + 1 == argc) return usage();
         if (!strcmp(argv[i], "-o")) page = argv[i + 1];
         else if (!strcmp(argv[i], "--plot")) picture = argv[i + 1];
+        else if (!strcmp(argv[i], "--plot-blockers")) blockers = argv[i + 1];
         else return usage();
     }
     to = page ? fopen(page, "w") : stdout;
@@ -480,7 +504,8 @@ int main(int argc, char **argv) {
     print_blockers(3);
     print_blockers(4);
     print_blockers(6);
-    free(dense);
+    if (blockers) fprintf(to, "\n![Error against time for 16 blockers, 2 to 8 bands](plots/blockers_pareto.svg)\n\n"
+                              "![Error against time of products](plots/product_pareto.svg)\n");
     if (ferror(to) || (page && fclose(to))) {
         fprintf(stderr, "masks: cannot write %s: is the disk full?\n", page ? page : "the page");
         return 1;
@@ -489,5 +514,10 @@ int main(int argc, char **argv) {
         fprintf(stderr, "masks: no plot %s: gnuplot is missing or failed; install gnuplot-nox\n", picture);
         return 1;
     }
+    if (blockers && !plot_blockers(blockers)) {
+        fprintf(stderr, "masks: no plot %s: gnuplot is missing or failed; install gnuplot-nox\n", blockers);
+        return 1;
+    }
+    free(dense);
     return 0;
 }
