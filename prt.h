@@ -1025,8 +1025,9 @@ extern "C" {
 #  define PRT__STATIC static
 #endif
 
-/* Vector extensions of GCC and Clang, at the width that the target flags allow, where the machine has such registers. */
-#if !defined(PRT_NO_SIMD) && defined(__GNUC__) && (defined(__SSE2__) || defined(__ARM_NEON) || \
+/* Vector extensions of GCC and Clang, at the width that the target flags allow, where the machine has such registers (and,
+   on 32-bit x86, computes scalars in them: a vector takes no factor of the x87's width). */
+#if !defined(PRT_NO_SIMD) && defined(__GNUC__) && (defined(__SSE2_MATH__) || defined(__ARM_NEON) || \
     defined(__VSX__) || defined(__VX__) || defined(__wasm_simd128__)) && \
     (defined(PRT_DOUBLE) || !defined(__FLT_EVAL_METHOD__) || __FLT_EVAL_METHOD__ == 0) /* a float times a vector is one */
 #  define PRT__SIMD 1
