@@ -6,7 +6,7 @@ mkdir -p "$1" && directory=$(cd "$1" && pwd) || exit 1
 seconds=$2
 source "$(dirname "$0")/../compile/tap.sh"
 # Signed and unsigned casts of NaN are part of what is tested, so float-cast-overflow is on.
-flags="-g -O1 -fsanitize=fuzzer,address,undefined,float-cast-overflow -fno-sanitize-recover=all"
+flags="-g -O0 -fsanitize=fuzzer,address,undefined,float-cast-overflow -fno-sanitize-recover=all"
 
 fuzz() {   # SOURCE NAME FLAGS...
     local source=$1 name=$2 extra; shift 2
