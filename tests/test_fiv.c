@@ -34,6 +34,8 @@ static prt_vec3 random_unit(void) {
 
 static prt_vec3 scaled(prt_vec3 v, double s) { return vec3(s * (double)v.x, s * (double)v.y, s * (double)v.z); }
 
+static const prt_fiv nothing;                                  /* what a call that fails leaves as it was */
+
 static void components(const prt_fiv *f, double out[9]) {
     const prt_vec3 v[3] = { f->r, f->g, f->b };
     int k;
@@ -41,7 +43,7 @@ static void components(const prt_fiv *f, double out[9]) {
 }
 
 static prt_fiv fiv_of(const double v[9]) {
-    prt_fiv f;
+    prt_fiv f = nothing;
     f.r = vec3(v[0], v[1], v[2]); f.g = vec3(v[3], v[4], v[5]); f.b = vec3(v[6], v[7], v[8]);
     return f;
 }
@@ -158,7 +160,7 @@ static void textbook_shade(prt_rgb total, prt_vec3 normal, int count, const prt_
 /* ---- vectors ---- */
 
 static void vectors_of_directions_add_up(void **state) {
-    prt_fiv f;
+    prt_fiv f = nothing;
     prt_rgb e;
     (void)state;
     memset(&f, 0, sizeof f);
@@ -176,7 +178,7 @@ static void vectors_of_directions_add_up(void **state) {
 /* The vector of a cap of radiance 1 is pi sin^2(a) along its axis: summed over a fine ring quadrature. */
 static void vector_of_a_cap(void **state) {
     const double half = 0.7;
-    prt_fiv f;
+    prt_fiv f = nothing;
     int i, j;
     (void)state;
     memset(&f, 0, sizeof f);
@@ -196,7 +198,7 @@ static void vector_of_a_cap(void **state) {
 static void lookup_returns_samples_at_their_places(void **state) {
     prt_fiv_table t = random_table();
     double got[9], want[9];
-    prt_fiv f;
+    prt_fiv f = nothing;
     int i, j, k, n;
     (void)state;
     for (k = 0; k < RHOS; k++)
@@ -223,7 +225,7 @@ static void lookup_is_trilinear(void **state) {
         t.inside = with ? inside : NULL;
         for (k = 0; k < 4000; k++) {
             prt_vec3 to = scaled(random_unit(), 0.5 + 6 * uniform());
-            prt_fiv f;
+            prt_fiv f = nothing;
             assert_int_equal(prt_fiv_lookup(&t, to, &f), PRT_OK);
             components(&f, got);
             textbook_lookup(&t, to, want);
@@ -235,7 +237,7 @@ static void lookup_is_trilinear(void **state) {
 
 static void lookup_is_continuous_over_poles_and_seam(void **state) {
     prt_fiv_table t = random_table();
-    prt_fiv a, b;
+    prt_fiv a = nothing, b = nothing;
     double va[9], vb[9];
     int k, n;
     (void)state;
@@ -260,7 +262,7 @@ static void lookup_is_continuous_over_poles_and_seam(void **state) {
 static void lookup_falls_off_with_the_solid_angle(void **state) {
     prt_fiv_table t = random_table();
     prt_vec3 dir = random_unit();
-    prt_fiv a, b;
+    prt_fiv a = nothing, b = nothing;
     double va[9], vb[9];
     int n;
     (void)state;
@@ -292,7 +294,7 @@ static void interpolation_error_of_geometric_distances(void **state) {
         worst[k] = 0;
         for (i = 0; i <= 100; i++) {
             double r = (double)rho[k] + ((double)rho[k + 1] - (double)rho[k]) * i / 100;
-            prt_fiv f;
+            prt_fiv f = nothing;
             assert_int_equal(prt_fiv_lookup(&t, vec3(0, 0, r), &f), PRT_OK);
             worst[k] = fmax(worst[k], fabs((double)f.g.z * r * r / pi - 1));
         }
@@ -573,7 +575,7 @@ static void batches_give_the_same_bits(void **state) {
 
 static void self_shadow_leaves_out_the_inside(void **state) {
     prt_fiv_table t = random_table();
-    prt_fiv environment;
+    prt_fiv environment = nothing;
     unsigned char inside[SAMPLES];
     double v[9], all[9];
     int k, c;
@@ -667,7 +669,7 @@ static void transfer_lookup_agrees_with_its_table(void **state) {
     for (k = 0; k < SAMPLES; k++) inside[k] = (unsigned char)(uniform() < 0.2);
     for (k = 0; k < 200; k++) {
         prt_vec3 to = scaled(random_unit(), 0.5 + 6 * uniform()), away;
-        prt_fiv a, b;
+        prt_fiv a = nothing, b = nothing;
         turn_of(turn);
         for (i = 0; i < 9; i++) back[i] = turn[i % 3 * 3 + i / 3];
         for (c = 0; c < 3; c++) assert_int_equal(prt_sh_rotate(BANDS, back, light + c * LIGHT, lit + c * LIGHT), PRT_OK);
@@ -696,7 +698,7 @@ static void transfer_of_a_cap(void **state) {
     double want[9] = { 0, 0, 0, 0, 0, 0, 0, 0, 0 }, got[9];
     const double half = pi / 6;
     prt_vec3 n = random_unit(), u = vec3(-(double)n.y, (double)n.x, 0), v;
-    prt_fiv f;
+    prt_fiv f = nothing;
     int i, j, c, k;
     (void)state;
     u = scaled(u, 1 / sqrt((double)u.x * (double)u.x + (double)u.y * (double)u.y));
@@ -724,7 +726,7 @@ static void transfer_of_a_cap(void **state) {
 static void transfer_survives_bad_samples(void **state) {
     prt_fiv_transfer t = random_transfer();
     prt_real light[3 * LIGHT], vectors[9 * HIDDEN];
-    prt_fiv f;
+    prt_fiv f = nothing;
     int k;
     (void)state;
     skip_if_fast_math();
@@ -744,7 +746,7 @@ static void transfer_refuses_bad_arguments(void **state) {
     prt_fiv_transfer t = random_transfer(), bad;
     prt_real light[3 * LIGHT] = { 0 }, vectors[9 * HIDDEN] = { 0 }, crooked[9] = { 2, 0, 0, 0, 1, 0, 0, 0, 1 };
     prt_vec3 z = vec3(0, 0, 1);
-    prt_fiv f;
+    prt_fiv f = nothing;
     int k;
     (void)state;
     memset(&f, 0x55, sizeof f);
@@ -923,7 +925,7 @@ static void every_place_is_survived(void **state) {
             for (k = 0; k < 40; k++) {
                 prt_vec3 p = scaled(random_unit(), sizes[a]), n = random_unit();
                 prt_rgb out;
-                prt_fiv v;
+                prt_fiv v = nothing;
                 t.inside = k % 2 ? inside : NULL;
                 for (f = 0; f < 6; f++) o[f].position = scaled(random_unit(), sizes[b]);
                 o[0].table = o[1].table = o[2].table = &t; o[3].table = &none; o[4].table = o[5].table = &narrow;
@@ -956,7 +958,7 @@ static void one_row_serves_every_direction(void **state) {
     prt_real rho[2] = { 1, 2 };
     prt_fiv samples[2 * 4];
     prt_fiv_table t = { 1, 1, 2, rho, 1, samples, NULL };
-    prt_fiv f;
+    prt_fiv f = nothing;
     int k;
     (void)state;
     memset(samples, 0, sizeof samples);
@@ -983,7 +985,7 @@ static void disordered_distances_and_bad_samples(void **state) {
     const prt_rgb total = rgb(1, 2, 3);
     const prt_real bad[4] = { (prt_real)NAN, (prt_real)INFINITY, -(prt_real)INFINITY, PRT__REAL_MAX };
     prt_rgb out;
-    prt_fiv f;
+    prt_fiv f = nothing;
     int k, c;
     (void)state;
     skip_if_fast_math();
@@ -1013,7 +1015,7 @@ static void nan_samples_are_left_out(void **state) {
     prt_fiv_table t = random_table();
     unsigned char inside[SAMPLES];
     double want[9], got[9];
-    prt_fiv f;
+    prt_fiv f = nothing;
     int k, n;
     (void)state;
     skip_if_fast_math();
@@ -1035,7 +1037,7 @@ static void all_inside_counts_all(void **state) {
     prt_fiv_table t = random_table();
     unsigned char inside[SAMPLES];
     double want[9], got[9];
-    prt_fiv f;
+    prt_fiv f = nothing;
     int k, n;
     (void)state;
     memset(inside, 1, sizeof inside);
@@ -1054,7 +1056,7 @@ static void bad_arguments_write_nothing(void **state) {
     prt_fiv_table t = random_table(), bad;
     prt_fiv_occluder o[2];
     prt_fiv_hidden h;
-    prt_fiv f;
+    prt_fiv f = nothing;
     prt_rgb out = { 7, 7, 7 }, total = { 1, 1, 1 };
     prt_vec3 z = vec3(0, 0, 1);
     int k;
