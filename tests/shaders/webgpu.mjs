@@ -84,4 +84,4 @@ server.listen(0, "127.0.0.1", () => {
     browser.on("error", () => finish(3, "Chromium does not start"));
     browser.on("exit", code => finish(3, `Chromium ended with ${code}`));
 });
-setTimeout(() => finish(1, "no answer from Chromium within 60 s"), 60000);
+setTimeout(() => finish(1, "no answer from Chromium within 180 s"), 180000);
