@@ -744,6 +744,9 @@ PRT__STATIC int prt__normalise(const double v[3], double out[3]) {
 }
 
 PRT__INLINE double prt__ddot(const double *a, const double *b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+PRT__INLINE prt_vec3 prt__narrow(const double v[3]) {
+    return prt__vec3((prt_real)v[0], (prt_real)v[1], (prt_real)v[2]);
+}
 
 PRT__STATIC void prt__box(const prt_mesh *mesh, prt_mesh_report *report) {
     double low[3] = { 0, 0, 0 }, high[3] = { 0, 0, 0 }, half[3];
@@ -809,7 +812,7 @@ PRT__STATIC void prt__settle_normal(const prt_vec3 *given, prt_point *point, prt
         report->recomputed++;
         if (!ok) { report->without++; unit[0] = unit[1] = 0; unit[2] = 1; }
     }
-    point->normal = prt__vec3((prt_real)unit[0], (prt_real)unit[1], (prt_real)unit[2]);
+    point->normal = prt__narrow(unit);
 }
 
 PRTDEF prt_result prt_points_from_vertices(const prt_mesh *mesh, prt_point *points, prt_mesh_report *report) {
@@ -1348,9 +1351,6 @@ PRT__STATIC size_t prt__sky_layout(prt__sky *sky, unsigned char *memory, size_t 
     return used;
 }
 
-PRT__STATIC prt_vec3 prt__narrow(const double v[3]) {
-    return prt__vec3((prt_real)v[0], (prt_real)v[1], (prt_real)v[2]);
-}
 PRT__STATIC prt_vec3 prt__narrow_times(const double v[3], double factor) {
     double w[3];
     w[0] = v[0] * factor; w[1] = v[1] * factor; w[2] = v[2] * factor;
@@ -2147,9 +2147,6 @@ PRT__STATIC void prt__vo_list_groups(prt__vo_bake *b) {
 PRT__INLINE void prt__to_doubles(prt_vec3 v, double out[3]) {
     out[0] = (double)v.x; out[1] = (double)v.y; out[2] = (double)v.z;
 }
-PRT__INLINE prt_vec3 prt__from_doubles(const double v[3]) {
-    return prt__vec3((prt_real)v[0], (prt_real)v[1], (prt_real)v[2]);
-}
 PRT__INLINE void prt__add_scaled(double sum[3], const double v[3], double s) {
     sum[0] += s * v[0]; sum[1] += s * v[1]; sum[2] += s * v[2];
 }
@@ -2181,8 +2178,8 @@ PRT__STATIC prt_ray prt__vo_ray_from(const prt__vo_bake *b, const double at[3], 
     double origin[3];
     int k;
     for (k = 0; k < 3; k++) origin[k] = at[k] + sign * (double)b->bias * side[k];
-    ray.origin = prt__from_doubles(origin);
-    ray.dir = prt__from_doubles(dir);
+    ray.origin = prt__narrow(origin);
+    ray.dir = prt__narrow(dir);
     ray.tmin = 0;
     ray.tmax = PRT__R(FLT_MAX);
     return ray;
@@ -2337,13 +2334,13 @@ PRT__STATIC prt_result prt__vo_feel(prt__vo_bake *b, prt_vec3 origin, int count)
 PRT__STATIC prt_vec3 prt__vo_unit(const double v[3]) {
     double unit[3];
     prt__normalise(v, unit);
-    return prt__from_doubles(unit);
+    return prt__narrow(unit);
 }
 PRT__STATIC prt_vec3 prt__vo_over(const double v[3], double count) {
     double mean[3];
     int k;
     for (k = 0; k < 3; k++) mean[k] = v[k] / count;
-    return prt__from_doubles(mean);
+    return prt__narrow(mean);
 }
 
 PRT__STATIC prt_vo_occluder prt__vo_occluder_of(const prt__vo_bake *b, int group) {

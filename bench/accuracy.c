@@ -12,7 +12,6 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
 
 enum { BITS = 256, MAX_DIRECTIONS = 96, MAX_BANDS = 1024, MAX_FORMS = 8, MAX_STEPS = 80 };
@@ -164,12 +163,6 @@ static void compare(error *e, int bands, const double *got, const reference *tru
     e->count += (long)bands * bands;
 }
 
-static double seconds(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 static void *room(size_t bytes) {
     void *p = malloc(bytes);
     if (p) return p;
@@ -196,7 +189,7 @@ static void measure(FILE *csv, int as_float, int max_bands) {
     size_t most = (size_t)max_bands * (size_t)max_bands;
     int steps[MAX_STEPS], step_count = band_steps(max_bands, steps), form_count, near, count, d, f, s;
     const accuracy_form *forms = as_float ? accuracy_forms_float(&form_count) : accuracy_forms_double(&form_count);
-    double *got = (double *)room(most * sizeof *got), start = seconds();
+    double *got = (double *)room(most * sizeof *got), start = bench_seconds();
     reference truth;
     truth.unit = (long double *)room(most * sizeof(long double));
     truth.raw = (long double *)room(most * sizeof(long double));
@@ -205,7 +198,7 @@ static void measure(FILE *csv, int as_float, int max_bands) {
     for (d = 0; d < count && !interrupted; d++) {
         if (isatty(2))
             fprintf(stderr, "\r%s, direction %d/%d, %.0f s left\033[K\r", as_float ? "float" : "double", d + 1, count,
-                    d ? (seconds() - start) / d * (count - d) : 0.0);
+                    d ? (bench_seconds() - start) / d * (count - d) : 0.0);
         reference_of(max_bands, dirs[d], &truth);
         for (f = 0; f < form_count; f++)
             for (s = 0; s < step_count && steps[s] <= forms[f].max_bands; s++) {

@@ -170,12 +170,6 @@ static double now_ns(void) {
     return 1e9 * (double)t.tv_sec + (double)t.tv_nsec;
 }
 
-static double wall_seconds(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 static void run_once(const timed *t, long passes) {
     if (t->chunk) bench_ceiling_run(t->candidate, t->data, t->chunk, t->items, passes);
     else t->candidate->run(t->data, t->bands, t->items, passes);
@@ -419,7 +413,7 @@ static void show_progress(const char *job, int bands, int done, int of, double s
 /* Visits every group; with `group` it measures them, without it only counts. */
 static int each_group(const bench_options *o, int of, void (*group)(void *, const bench_row *, int), void *user) {
     static timed all[MAX_ROWS];
-    double start = wall_seconds();
+    double start = bench_seconds();
     int i, real_bytes, bands, done = 0;
     for (i = 0; i < candidate_count; i++)
         for (real_bytes = 4; first_of_job(i) && real_bytes <= 8; real_bytes += 4)
@@ -427,7 +421,7 @@ static int each_group(const bench_options *o, int of, void (*group)(void *, cons
                 int count = gather(all, candidates[i]->job, bands, real_bytes, o->filter);
                 if (!count) continue;
                 if (group) {
-                    show_progress(candidates[i]->job, bands, done, of, wall_seconds() - start);
+                    show_progress(candidates[i]->job, bands, done, of, bench_seconds() - start);
                     run_group(all, count, o, group, user);
                 }
                 done++;

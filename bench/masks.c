@@ -14,7 +14,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 enum { LEAST = 2, MOST = 8, SIZE = MOST * MOST, CHAIN = 64, TRIALS = 60, DENSE = 20000 };
 static const double pi = 3.14159265358979323846;
@@ -368,12 +367,6 @@ static void evaluate(const scene *s, int method, prt_real *out) {
     else prt_sh_exp_linear(s->bands, sum, out);
 }
 
-static double now(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec * 1e6 + (double)t.tv_nsec * 1e-3;
-}
-
 static const int blocker_counts[] = { 1, 2, 4, 8, 16, 32, 64 };
 enum { COUNTS = 7, SCENES = 12 };
 
@@ -390,9 +383,9 @@ static void measure_blockers(int bands, int count, double error[METHODS], double
             sum += pow(distance(bands * bands, out, scenes[k].truth), 2) / (4 * pi) / SCENES;
         }
         for (round = 0; round < 20; round++) {
-            double start = now();
+            double start = bench_seconds();
             for (k = 0; k < SCENES; k++) evaluate(&scenes[k], m, out);
-            start = (now() - start) / SCENES;
+            start = 1e6 * (bench_seconds() - start) / SCENES;
             if (start < best) best = start;
         }
         error[m] = sqrt(sum);

@@ -15,7 +15,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 enum { MOST = 10, SIZE = MOST * MOST, PAIRS = 64, TRIALS = 20 };
 
@@ -73,19 +72,13 @@ static void multiply(int way, int bands) {
     }
 }
 
-static double now(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec * 1e9 + (double)t.tv_nsec;
-}
-
 static double time_of(int way, int bands) {
     int repeat = (way == 1 ? 40000 : 400000) / (bands * bands * bands) + 1, round, k;
     double best = 1e300;
     for (round = 0; round < 15; round++) {
-        double start = now();
+        double start = bench_seconds();
         for (k = 0; k < repeat; k++) { multiply(way, bands); BENCH_KEEP(out); }
-        start = (now() - start) / repeat / (way == 1 ? PAIRS : 1);
+        start = 1e9 * (bench_seconds() - start) / repeat / (way == 1 ? PAIRS : 1);
         if (start < best) best = start;
     }
     return best;

@@ -4,7 +4,6 @@
 #include "prt.h"
 
 #include <stdlib.h>
-#include <time.h>
 
 #include "bench.h"
 #include "published_rotation.h"
@@ -14,12 +13,6 @@
 #define JOIN(a, b) JOIN2(a, b)
 
 static void keep_larger(double *worst, double error) { if (!(error <= *worst)) *worst = error; }
-
-static double seconds(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 static void turn_number(int trial, prt_real rotation[9]) {
     prt_real q[4];
@@ -115,9 +108,9 @@ static double time_of(int k, int bands, work *w) {
     double best = HUGE_VAL;
     int round, i, repeats = 1 + 200000 / (bands * bands * bands * ways[k].items + 200);
     for (round = 0; round < 15; round++) {
-        double start = seconds(), t;
+        double start = bench_seconds(), t;
         for (i = 0; i < repeats; i++) { ways[k].run(bands, w); BENCH_KEEP(w->out); }
-        t = (seconds() - start) * 1e9 / repeats / ways[k].items;
+        t = (bench_seconds() - start) * 1e9 / repeats / ways[k].items;
         if (t < best) best = t;
     }
     return best;
@@ -180,13 +173,13 @@ int JOIN(rotation_stream_, ROTATION_ID)(double rate[3]) {
     for (i = 0; ok && i < (size_t)COUNT * N; i++) { f[i] = (prt_real)(i % 977); out[i] = 0; }
     for (round = 0; ok && round < 5; round++)
         for (form = 0; form < 4; form++) {
-            double start = seconds(), t;
+            double start = bench_seconds(), t;
             if (form == 0) memcpy(out, f, bytes);
             if (form == 1) prt_sh_rotate_by_n(BANDS, blocks, COUNT, f, out);
             if (form == 2) prt_sh_rotate_by_n_rgb(BANDS, blocks, COUNT / 3, f, out);
             if (form == 3) prt_sh_rotate_by_soa(BANDS, blocks, COUNT, f, out, COUNT);
             BENCH_KEEP(out);
-            t = seconds() - start;
+            t = bench_seconds() - start;
             if (t < best[form]) best[form] = t;
         }
     for (form = 0; form < 3; form++) rate[form] = best[0] / best[form + 1];

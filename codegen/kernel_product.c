@@ -32,21 +32,6 @@ typedef struct product {
 
 /* ---- triple product coefficients by Gauss-Legendre quadrature, exact but for rounding in 113 bits ---- */
 
-/* p(l,m)(z) of the complex harmonics, unit norm over the sphere */
-static xreal legendre(int l, int m, xreal z) {
-    xreal p1 = x_sqrt(1 / (4 * x_pi())), p2 = 0, s = x_sqrt(1 - z * z);
-    int k;
-    for (k = 1; k <= m; k++) p1 *= s * x_sqrt(x_ratio(2L * k + 1, 2L * k));
-    for (k = m + 1; k <= l; k++) {
-        xreal a = x_sqrt(x_ratio(4L * k * k - 1, (long)k * k - (long)m * m));
-        xreal b = x_sqrt(x_ratio((long)(k - 1) * (k - 1) - (long)m * m, 4L * (k - 1) * (k - 1) - 1));
-        xreal p = a * (z * p1 - b * p2);
-        p2 = p1;
-        p1 = p;
-    }
-    return p1;
-}
-
 /* int Y(l1,a) Y(l2,b) Y(l3,a+b) of the real harmonics */
 static xreal coefficient(element low, element other, element top) {
     int count = (low.l + other.l + top.l) / 2 + 1, i;
@@ -54,7 +39,7 @@ static xreal coefficient(element low, element other, element top) {
     for (i = 0; i < count; i++) {
         xreal z, w;
         x_gauss(count, i, &z, &w);
-        sum += w * legendre(low.l, low.m, z) * legendre(other.l, other.m, z) * legendre(top.l, top.m, z);
+        sum += w * x_harmonic(low.l, low.m, z) * x_harmonic(other.l, other.m, z) * x_harmonic(top.l, top.m, z);
     }
     sum *= 2 * x_pi();
     if (low.m && other.m) sum *= x_sqrt(x_ratio(1, 2));

@@ -48,21 +48,6 @@ static void print_sines(FILE *to, int bands) {
 
 /* ---- factors of the product kernels at their nodes: kernel_nodes.c ---- */
 
-/* The part in z of Y(l,m) at z >= 0, without sqrt 2 of m = 0 */
-static xreal harmonic(int l, int m, xreal z) {
-    xreal p1 = x_sqrt((m ? 2 : 1) / (4 * x_pi())), p2 = 0, s = x_sqrt(1 - z * z);
-    int k;
-    for (k = 1; k <= m; k++) p1 *= s * x_sqrt(x_ratio(2L * k + 1, 2L * k));
-    for (k = m + 1; k <= l; k++) {
-        xreal a = x_sqrt(x_ratio(4L * k * k - 1, (long)k * k - (long)m * m));
-        xreal b = x_sqrt(x_ratio((long)(k - 1) * (k - 1) - (long)m * m, 4L * (k - 1) * (k - 1) - 1));
-        xreal p = a * (z * p1 - b * p2);
-        p2 = p1;
-        p1 = p;
-    }
-    return p1;
-}
-
 static xreal cube_root(xreal v) {                                  /* 0 < v < 8 */
     xreal r = 1;
     int i;
@@ -86,7 +71,7 @@ static void print_node_table(FILE *to, int bands) {
                 if (i < pairs) {
                     x_gauss((3 * bands - 1) / 2, i, &z, &w);
                     if (!(z > 0)) { z = 0; w /= 2; }
-                    q = harmonic(l, m, z) * cube_root(w * x_pi() / 2) * (m ? 1 : 2);
+                    q = x_harmonic(l, m, z) * (m ? x_sqrt(2) : 1) * cube_root(w * x_pi() / 2) * (m ? 1 : 2);
                 }
                 x_print(q, 20, text);
                 fprintf(to, "%s%s", i ? ", " : "", text);

@@ -47,6 +47,20 @@ void x_gauss(int count, int i, xreal *z, xreal *w) {
     *w = 2 / ((1 - x * x) * slope * slope);
 }
 
+xreal x_harmonic(int l, int m, xreal z) {
+    xreal p1 = x_sqrt(1 / (4 * x_pi())), p2 = 0, s = x_sqrt(1 - z * z);
+    int k;
+    for (k = 1; k <= m; k++) p1 *= s * x_sqrt(x_ratio(2L * k + 1, 2L * k));
+    for (k = m + 1; k <= l; k++) {
+        xreal a = x_sqrt(x_ratio(4L * k * k - 1, (long)k * k - (long)m * m));
+        xreal b = x_sqrt(x_ratio((long)(k - 1) * (k - 1) - (long)m * m, 4L * (k - 1) * (k - 1) - 1));
+        xreal p = a * (z * p1 - b * p2);
+        p2 = p1;
+        p1 = p;
+    }
+    return p1;
+}
+
 /* Rounds to nearest at the last digit; a tie may go either way, but no irrational meets one. */
 void x_print(xreal v, int digits, char *text) {
     char digit[48] = { 0 };

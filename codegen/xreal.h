@@ -12,6 +12,7 @@ xreal x_pi(void);
 xreal x_sqrt(xreal v);
 xreal x_sin(xreal v);                                  /* |v| <= 4 */
 void  x_gauss(int count, int i, xreal *z, xreal *w);   /* node i of count and its weight, Gauss-Legendre, on -1 ... 1 */
+xreal x_harmonic(int l, int m, xreal z);               /* the part in z of the complex Y(l,m), m >= 0 */
 xreal x_ratio(long numerator, long denominator);
 void  x_print(xreal v, int digits, char *text);    /* shortest form with so many significant digits; text holds 64 */
 

@@ -30,12 +30,12 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "embree_tracer.h"
 #include "image.h"
 #include "mesh.h"
 #include "osmesa_context.h"
+#include "program.h"
 #include "progress.h"
 #include "reference.h"
 #include "refined_bake.h"
@@ -52,12 +52,6 @@ enum {
 static const struct { const char *file; double turn; } choice[ENVIRONMENTS] = {
     { "courtyard.hdr", 0 }, { "studio.hdr", 0.625 }, { "sunset.hdr", 0.875 }
 };
-
-static volatile sig_atomic_t interrupted;
-static void on_interrupt(int number) {
-    interrupted = 1;
-    signal(number, SIG_DFL);
-}
 
 enum { UNSHADOWED = 0, REFERENCE = SHADOWED + 1, COLUMNS = SHADOWED + 2 };
 
@@ -402,8 +396,7 @@ static void demo_free(demo *d) {
 
 static int run(demo *d, why *w) {
     char sheet_path[1024];
-    if (mkdir(d->out, 0777) && errno != EEXIST)
-        return why_set(w, "%s: cannot be made a directory: %s", d->out, strerror(errno));
+    if (make_directory(d->out, w)) return -1;
     snprintf(sheet_path, sizeof sheet_path, "%s/demo.png", d->out);
     return replacement_possible(sheet_path, 4u << 20, w) || load_scene(d, w) || bake_all(d, w) || draw_all(d, w) ||
            trace_all(d, w) || measure(d, w) || (interrupted ? why_set(w, "interrupted") : 0) || report(d, w) ||
@@ -436,9 +429,9 @@ int main(int count, char **words) {
     static demo d;
     why w;
     int failed;
-    signal(SIGINT, on_interrupt);
+    stop_on(SIGINT);
     failed = parse(count, words, &d, &w) || run(&d, &w);
     if (failed) fprintf(stderr, "demo: %s\n", w.line);
     demo_free(&d);
-    return failed ? interrupted ? 130 : 1 : 0;
+    return failed ? interrupted ? STOPPED : 1 : 0;
 }

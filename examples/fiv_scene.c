@@ -29,11 +29,12 @@
 #include "bake_job.h"
 #include "fiv_bake.h"
 #include "fiv_receive.h"
+#include "program.h"
 #include "progress.h"
 #include "text.h"
 #include "vector.h"
 
-enum { SHAPES = 2, BODIES = 3, GAP = 6, HEAD = 26, FOOT = 24, STOPPED = 130 };
+enum { SHAPES = 2, BODIES = 3, GAP = 6, HEAD = 26, FOOT = 24 };
 
 static const char usage[] =
     "usage: fiv_scene [environment.hdr] [options]\n"
@@ -73,12 +74,6 @@ typedef struct show {
     double     exposure;               /* of the first frame, for all */
     FILE       *csv;
 } show;
-
-static volatile sig_atomic_t interrupted;
-static void on_interrupt(int number) {
-    interrupted = 1;
-    signal(number, SIG_DFL);                               /* the second one is not waited for */
-}
 
 /* ---- the choreography ---- */
 
@@ -408,18 +403,6 @@ static int encode(const options *o, why *w) {
 
 /* ---- the program ---- */
 
-static int parse_number(const char *name, const char *text, long low, long high, int *value, why *w) {
-    char *end;
-    long n;
-    if (!text) return why_set(w, "%s wants a number (--help lists the options)", name);
-    errno = 0;
-    n = strtol(text, &end, 10);
-    if (end == text || *end || errno || n < low || n > high)
-        return why_set(w, "%s %s: must be a whole number from %ld to %ld", name, text, low, high);
-    *value = (int)n;
-    return 0;
-}
-
 static int parse(int count, char **words, options *o, why *w) {
     int i;
     memset(o, 0, sizeof *o);
@@ -442,10 +425,12 @@ static int parse(int count, char **words, options *o, why *w) {
             { "--resume", &o->resume }, { "--quick", &o->quick }, { "--help", &o->help }
         };
         size_t k;
+        long value = 0;
         int known = 0;
         for (k = 0; k < sizeof numbers / sizeof *numbers; k++) {
             if (strcmp(word, numbers[k].name)) continue;
-            if (parse_number(word, next, numbers[k].low, numbers[k].high, numbers[k].value, w)) return -1;
+            if (parse_number(word, next, numbers[k].low, numbers[k].high, &value, w)) return -1;
+            *numbers[k].value = (int)value;
             known = 2;
         }
         for (k = 0; k < sizeof switches / sizeof *switches; k++)
@@ -469,20 +454,13 @@ static int parse(int count, char **words, options *o, why *w) {
     return 0;
 }
 
-static int make_directory(const char *path, why *w) {
-    struct stat s;
-    if (mkdir(path, 0777) == 0 || (errno == EEXIST && stat(path, &s) == 0 && S_ISDIR(s.st_mode))) return 0;
-    return why_set(w, "%s: cannot be made a directory: %s; choose another --out", path,
-                   strerror(errno == EEXIST ? ENOTDIR : errno));
-}
-
 int main(int count, char **words) {
     static show s;
     why w;
     int failed;
     w.line[0] = 0;
-    signal(SIGINT, on_interrupt);
-    signal(SIGTERM, on_interrupt);
+    stop_on(SIGINT);
+    stop_on(SIGTERM);
     failed = parse(count, words, &s.o, &w);
     if (!failed && s.o.help) {
         fputs(usage, stdout);

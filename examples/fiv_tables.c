@@ -15,17 +15,16 @@
 #define PRT_BAKE_IMPLEMENTATION
 #include "prt_bake.h"
 
-#include <errno.h>
 #include <math.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "bake_job.h"
 #include "fiv_bake.h"
 #include "fiv_receive.h"
+#include "program.h"
 #include "progress.h"
 #include "replacement.h"
 #include "text.h"
@@ -64,12 +63,6 @@ typedef struct lab {
     text_font  regular, bold;
     FILE       *md;
 } lab;
-
-static volatile sig_atomic_t interrupted;
-static void on_interrupt(int number) {
-    interrupted = 1;
-    signal(number, SIG_DFL);
-}
 
 static prt_rgb grey(double v) { return rgb(v, v, v); }
 
@@ -921,13 +914,6 @@ static int write_packed(lab *l, why *w) {
 
 /* ---- the program ---- */
 
-static int make_directory(const char *path, why *w) {
-    struct stat s;
-    if (mkdir(path, 0777) == 0 || (errno == EEXIST && stat(path, &s) == 0 && S_ISDIR(s.st_mode))) return 0;
-    return why_set(w, "%s: cannot be made a directory: %s; choose another --out", path,
-                   strerror(errno == EEXIST ? ENOTDIR : errno));
-}
-
 static int write_page(lab *l, why *w) {
     char path[1100], gallery[1100];
     replacement page;
@@ -979,10 +965,10 @@ int main(int count, char **words) {
     why w;
     int failed;
     w.line[0] = 0;
-    signal(SIGINT, on_interrupt);
-    signal(SIGTERM, on_interrupt);
+    stop_on(SIGINT);
+    stop_on(SIGTERM);
     failed = parse(count, words, &l, &w) || write_page(&l, &w);
     if (failed) fprintf(stderr, "fiv_tables: %s\n", w.line);
     lab_free(&l);
-    return failed ? interrupted ? 130 : 1 : 0;
+    return failed ? interrupted ? STOPPED : 1 : 0;
 }

@@ -8,13 +8,11 @@
 #define PRT_BAKE_IMPLEMENTATION
 #include "prt_bake.h"
 
-#include <errno.h>
 #include <limits.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include "bake_job.h"
@@ -22,11 +20,12 @@
 #include "image.h"
 #include "mesh.h"
 #include "osmesa_context.h"
+#include "program.h"
 #include "relighter.h"
 #include "replacement.h"
 #include "transfer_file.h"
 
-enum { MOST_ENVIRONMENTS = 64, SAMPLES_A_PIXEL = 2, STOPPED = 130 };
+enum { MOST_ENVIRONMENTS = 64, SAMPLES_A_PIXEL = 2 };
 
 static const char usage[] =
     "usage: relight [mesh] [environment.hdr ...] [options]\n"
@@ -51,24 +50,7 @@ typedef struct options {
     uint64_t seed;
 } options;
 
-static volatile sig_atomic_t interrupted;
-
-static void on_interrupt(int number) {
-    interrupted = 1;
-    signal(number, SIG_DFL);                               /* the second one is not waited for */
-}
-
 /* ---- the command line ---- */
-
-static int parse_number(const char *name, const char *text, long low, long high, long *value, why *w) {
-    char *end;
-    if (!text) return why_set(w, "%s wants a number (--help lists the options)", name);
-    errno = 0;
-    *value = strtol(text, &end, 10);
-    if (end == text || *end || errno || *value < low || *value > high)
-        return why_set(w, "%s %s: must be a whole number from %ld to %ld", name, text, low, high);
-    return 0;
-}
 
 static int ends_with(const char *text, const char *end) {
     size_t a = strlen(text), b = strlen(end);
@@ -155,13 +137,6 @@ static int output_name(const options *o, const char *environment, char *path, si
     return length < (int)size ? 0 : why_set(w, "--out %.60s...: the path is too long", o->out);
 }
 
-static int make_directory(const char *path, why *w) {
-    struct stat s;
-    if (mkdir(path, 0777) == 0 || (errno == EEXIST && stat(path, &s) == 0 && S_ISDIR(s.st_mode))) return 0;
-    return why_set(w, "%s: cannot be made a directory: %s; choose another --out", path,
-                   strerror(errno == EEXIST ? ENOTDIR : errno));
-}
-
 /* ---- the mesh ---- */
 
 static void notice(const char *path, int count, const char *what) {
@@ -202,13 +177,10 @@ static int count_done(const unsigned char *done, int count) {
    own among the temporary files: nothing is lost, but it is a failure all the same. */
 static int keep_elsewhere(const options *o, const transfer_info *info, const unsigned char *done,
                           const prt_real *transfer, why *w) {
-    const char *place = getenv("TMPDIR");
     char directory[PATH_MAX], path[PATH_MAX], name[200];
     why failure = *w, again;
     stem(o->mesh, name, sizeof name);
-    if (snprintf(directory, sizeof directory, "%s/relight-XXXXXX", place && *place ? place : "/tmp") >=
-        (int)sizeof directory || !mkdtemp(directory))
-        return -1;
+    if (make_temporary_directory("relight", directory, sizeof directory)) return -1;
     if (snprintf(path, sizeof path, "%s/%s.prt", directory, name) < (int)sizeof path &&
         transfer_file_save(path, info, done, transfer, &again) == 0)
         return why_set(w, "%s; what is baked is in %s: --resume goes on with --out there", failure.line, path);
@@ -368,8 +340,8 @@ int main(int count, char **words) {
         return 0;
     }
     if (status == 0) {
-        signal(SIGINT, on_interrupt);
-        signal(SIGTERM, on_interrupt);
+        stop_on(SIGINT);
+        stop_on(SIGTERM);
         signal(SIGXFSZ, SIG_IGN);                          /* a file size limit becomes a write error like any other */
         status = run(&o, &w);
     }

@@ -16,21 +16,14 @@
 #define PRT_BAKE_IMPLEMENTATION
 #include "vo_compare.h"
 
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "bake_job.h"
 #include "point_lights.h"
+#include "program.h"
 #include "vector.h"
-
-static volatile sig_atomic_t interrupted;
-static void on_interrupt(int number) {
-    interrupted = 1;
-    signal(number, SIG_DFL);
-}
 
 /* ---- lights ---- */
 
@@ -141,20 +134,18 @@ static void stage_free(stage *s) {
 
 /* ---- the program ---- */
 
-static int make_directory(const char *parent, const char *name, why *w) {
+static int make_directory_in(const char *parent, const char *name, why *w) {
     char path[1024];
-    snprintf(path, sizeof path, "%s%s%s", parent, *name ? "/" : "", name);
-    return mkdir(path, 0777) && errno != EEXIST
-               ? why_set(w, "%s: cannot be made a directory: %s", path, strerror(errno))
-               : 0;
+    snprintf(path, sizeof path, "%s/%s", parent, name);
+    return make_directory(path, w);
 }
 
 static int prepare(study *d, why *w) {
     camera eye = camera_orbit(vec(0, 0, 0.35), 7.0, -1.25, 0.55, 0.55),
            low = camera_orbit(vec(0.2, 0, 0.2), 6.2, -1.25, 0.7, 0.5);
     camera at_statue = camera_orbit(vec(0, 0, 0.5), 6.6, -1.3, 0.35, 0.5);
-    if (make_directory(d->o.out, "", w) || make_directory(d->o.out, "gallery", w) ||
-        make_directory(d->o.out, "plots", w) || make_directory(d->o.keep, "", w) ||
+    if (make_directory(d->o.out, w) || make_directory_in(d->o.out, "gallery", w) ||
+        make_directory_in(d->o.out, "plots", w) || make_directory(d->o.keep, w) ||
         image_load_environment(d->o.environment, &d->sky, w))
         return -1;
     if (scene_shapes(d->o.fineness, &d->shapes.shining, w) || scene_ball(d->o.fineness, &d->ball.shining, w) ||
@@ -219,7 +210,7 @@ int main(int count, char **words) {
     why w;
     int failed;
     d.stop = &interrupted;
-    signal(SIGINT, on_interrupt);
+    stop_on(SIGINT);
     signal(SIGPIPE, SIG_IGN);
     failed = parse(count, words, &d.o, &w) || run(&d, &w);
     if (failed) fprintf(stderr, "vo_compare: %s\n", w.line);
@@ -228,5 +219,5 @@ int main(int count, char **words) {
     stage_free(&d.ball);
     stage_free(&d.glass);
     image_free(&d.sky);
-    return failed ? interrupted ? 130 : 1 : 0;
+    return failed ? interrupted ? STOPPED : 1 : 0;
 }

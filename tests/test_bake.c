@@ -1,13 +1,5 @@
 /* >>direct: transfer against closed forms and quadrature, independence of range and thread, errors, memory. */
-#include <stddef.h>
-
-static void *hooked_malloc(size_t size);
-static void hooked_free(void *memory);
-#define PRT_MALLOC(size) hooked_malloc(size)
-#define PRT_FREE(memory) hooked_free(memory)
-#define PRT_IMPLEMENTATION
-#define PRT_BAKE_IMPLEMENTATION
-#include "prt_bake.h"
+#include "memory_hook.h"
 #include "test.h"
 #include <float.h>
 #include <limits.h>
@@ -15,20 +7,6 @@ static void hooked_free(void *memory);
 
 enum { BANDS = 5, N = PRT_SH_COUNT(BANDS) };
 static const double pi = 3.14159265358979323846;
-
-/* ---- memory: counted, and failing on request; the counters are read by tests that run one thread ---- */
-
-static struct { int calls, frees, fail; size_t size; } memory_hook;
-
-static void *hooked_malloc(size_t size) {
-    memory_hook.calls++;
-    memory_hook.size = size;
-    return memory_hook.fail ? NULL : malloc(size);
-}
-static void hooked_free(void *memory) {
-    memory_hook.frees++;
-    free(memory);
-}
 
 /* ---- scenes ---- */
 

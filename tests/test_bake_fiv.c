@@ -1,28 +1,9 @@
 /* Room >>fiv of the baker: totals, vectors of occluders, what lies inside, ranges, errors, memory. */
-#include <stddef.h>
-
-static void *hooked_malloc(size_t size);
-static void hooked_free(void *memory);
-#define PRT_MALLOC(size) hooked_malloc(size)
-#define PRT_FREE(memory) hooked_free(memory)
-#define PRT_IMPLEMENTATION
-#define PRT_BAKE_IMPLEMENTATION
-#include "prt_bake.h"
+#include "memory_hook.h"
 #include "test.h"
 
 #define EPS BY_PRECISION((double)FLT_EPSILON, DBL_EPSILON)
 static const double pi = 3.14159265358979323846;
-
-static struct { int calls, frees, fail; } memory_hook;
-
-static void *hooked_malloc(size_t size) {
-    memory_hook.calls++;
-    return memory_hook.fail ? NULL : malloc(size);
-}
-static void hooked_free(void *memory) {
-    memory_hook.frees++;
-    free(memory);
-}
 
 /* ---- small helpers ---- */
 

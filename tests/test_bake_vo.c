@@ -1,31 +1,12 @@
 /* >>vo of the baker: form factors, mean directions and normals against closed forms and quadrature, Snell's law, total
    internal reflection, which occluders are kept, independence of range and thread, every error. */
-#include <stddef.h>
-
-static void *hooked_malloc(size_t size);
-static void hooked_free(void *memory);
-#define PRT_MALLOC(size) hooked_malloc(size)
-#define PRT_FREE(memory) hooked_free(memory)
-#define PRT_IMPLEMENTATION
-#define PRT_BAKE_IMPLEMENTATION
-#include "prt_bake.h"
+#include "memory_hook.h"
 #include "test.h"
 #include <float.h>
 #include <limits.h>
 #include <pthread.h>
 
 static const double pi = 3.14159265358979323846;
-
-static struct { int calls, frees, fail; size_t size; } memory_hook;
-static void *hooked_malloc(size_t size) {
-    memory_hook.calls++;
-    memory_hook.size = size;
-    return memory_hook.fail ? NULL : malloc(size);
-}
-static void hooked_free(void *memory) {
-    memory_hook.frees++;
-    free(memory);
-}
 
 /* ---- small vectors in double ---- */
 

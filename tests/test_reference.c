@@ -13,7 +13,6 @@
 
 enum { SIZE = 10, MAP_WIDTH = 64, MAP_HEIGHT = 32 };
 
-static const double pi = 3.14159265358979323846;
 static float map_values[3 * MAP_WIDTH * MAP_HEIGHT];
 
 /* ---- what the reference takes from elsewhere ---- */

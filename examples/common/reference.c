@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "parallel.h"
+#include "vector.h"
 
 static const float rest_alpha = 0.5f, object_alpha = 1;
 
@@ -18,7 +19,6 @@ static double luminance_at(const image *map, size_t texel) {
 }
 
 static int environment_tabulate(environment *e, why *w) {
-    const double pi = 3.14159265358979323846;
     size_t width = (size_t)e->map.width, count = width * (size_t)e->map.height, k;
     double sum = 0;
     e->cumulative = (double *)malloc((count + 1) * sizeof *e->cumulative);
@@ -71,7 +71,6 @@ void environment_light(const environment *e, int bands, prt_real *light) {
 }
 
 static size_t texel_of(const image *map, prt_vec3 d) {
-    const double pi = 3.14159265358979323846;
     double phi = atan2((double)d.y, (double)d.x);
     int x = (int)((phi < 0 ? phi + 2 * pi : phi) / (2 * pi) * map->width);
     int y = (int)(acos(d.z > 1 ? 1 : d.z < -1 ? -1 : (double)d.z) / pi * map->height);
@@ -82,7 +81,6 @@ static size_t texel_of(const image *map, prt_vec3 d) {
 
 /* A direction with density luminance * scale: u chooses the texel and the place across it, v the place down it. */
 static prt_vec3 environment_sample(const environment *e, double u, double v, size_t *texel) {
-    const double pi = 3.14159265358979323846;
     size_t low = 0, high = (size_t)e->map.width * (size_t)e->map.height;
     double top, bottom, z, across, phi, r;
     prt_vec3 d;
@@ -115,10 +113,6 @@ typedef struct sample_rays {           /* the shadow rays of one sample, with sc
     prt_real      basis[REFERENCE_COEFFICIENTS * REFERENCE_COSINE_RAYS];
 } sample_rays;
 
-static double dot3(prt_vec3 a, prt_vec3 b) {
-    return (double)a.x * (double)b.x + (double)a.y * (double)b.y + (double)a.z * (double)b.z;
-}
-
 static int trace(const reference *r, const prt_point *at, int count, const prt_vec3 *dirs, sample_rays *s) {
     int k;
     for (k = 0; k < count; k++) {
@@ -135,7 +129,7 @@ static int trace(const reference *r, const prt_point *at, int count, const prt_v
 
 /* One open ray's share under the balance heuristic [Veach 1995]: cos/pi L / (n_cosine p_cosine + n_light p_light). */
 static void add_ray(const environment *e, size_t texel, double cosine, double sum[3]) {
-    double over_pi = cosine / 3.14159265358979323846;
+    double over_pi = cosine / pi;
     double density = REFERENCE_COSINE_RAYS * over_pi + REFERENCE_LIGHT_RAYS * luminance_at(&e->map, texel) * e->scale;
     int c;
     if (!(density > 0)) return;
@@ -187,7 +181,7 @@ static int shade_sample(reference *r, int half, size_t at, const prt_point *poin
         for (k = 0; k < REFERENCE_COSINE_RAYS; k++)
             if (!s->blocked[k])
                 add_ray(&r->environments[e], texel_of(&r->environments[e].map, s->cosine[k]),
-                        dot3(s->cosine[k], point->normal), sum[e]);
+                        vec_dot(s->cosine[k], point->normal), sum[e]);
     for (e = 0; e < REFERENCE_LIGHTS; e++) {
         int above = 0;
         prt_sample_square(PRT_SAMPLE_SOBOL, REFERENCE_LIGHT_RAYS, seed + REFERENCE_HALVES * (uint64_t)(e + 1), at, 0,
@@ -195,11 +189,11 @@ static int shade_sample(reference *r, int half, size_t at, const prt_point *poin
         for (k = 0; k < REFERENCE_LIGHT_RAYS; k++) {
             s->light[above] = environment_sample(&r->environments[e], (double)s->u[k], (double)s->v[k],
                                                  &s->texel[above]);
-            above += dot3(s->light[above], point->normal) > 0;
+            above += vec_dot(s->light[above], point->normal) > 0;
         }
         if (trace(r, point, above, s->light, s)) return -1;
         for (k = 0; k < above; k++)
-            if (!s->blocked[k]) add_ray(&r->environments[e], s->texel[k], dot3(s->light[k], point->normal), sum[e]);
+            if (!s->blocked[k]) add_ray(&r->environments[e], s->texel[k], vec_dot(s->light[k], point->normal), sum[e]);
         store(&t->reference[e], at, sum[e], alpha);
     }
     return 0;
@@ -222,7 +216,7 @@ static prt_point point_of(const mesh *m, const prt_hit *hit) {
     prt_real length;
     p.position = blend(&a->position, &b->position, &c->position, hit->u, hit->v);
     p.normal = blend(&a->normal, &b->normal, &c->normal, hit->u, hit->v);
-    length = (prt_real)sqrt(dot3(p.normal, p.normal));
+    length = (prt_real)sqrt(vec_dot(p.normal, p.normal));
     if (!(length > 0)) return *a;
     p.normal.x /= length; p.normal.y /= length; p.normal.z /= length;
     return p;

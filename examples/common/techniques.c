@@ -356,7 +356,7 @@ static void project_lights(technique which, prt_vec3 centre, int light_count, co
     memset(light, 0, 3 * (size_t)n * sizeof *light);
     for (k = 0; k < light_count; k++) {
         prt_vec3 dir = vec_unit(vec_add(lights[k].position, -1, centre), vec(0, 0, 1));
-        prt_rgb c = rgb_scale(lights[k].color, 3.14159265358979323846);
+        prt_rgb c = rgb_scale(lights[k].color, pi);
         prt_real y[MOST_COEFFICIENTS];
         if (is_ch(which)) prt_ch_eval(bands, dir, y); else prt_sh_delta(bands, dir, y);
         for (i = 0; i < n; i++) {

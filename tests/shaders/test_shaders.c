@@ -21,6 +21,7 @@
 #include "error_bound.h"
 #include "gl.h"
 #include "osmesa_context.h"
+#include "program.h"
 #include "references.h"
 #include "runner.h"
 #include "wrapper.h"
@@ -426,8 +427,8 @@ static int prove(const target *t) {
         printf("ok %d - %s # SKIP %s\n", ++passed + failed, t->name, why_not);
         return 0;
     }
-    snprintf(folder, sizeof folder, "/tmp/prt-shaders-XXXXXX");
-    if (!mkdtemp(folder)) return why_set(&reason, "cannot make a folder in /tmp");
+    if (make_temporary_directory("prt-shaders", folder, sizeof folder))
+        return why_set(&reason, "cannot make a folder among the temporary files");
     count = open_jobs(t, jobs);
     bad = count < 0 || prepare(t, jobs, count);
     if (!bad && (t->route == BY_C || t->route == BY_CXX || t->route == BY_MSL)) {
@@ -550,8 +551,8 @@ static void print_cost(FILE *page, int f, int bands) {
 static int write_costs(const char *path) {
     FILE *page;
     int f, bands;
-    snprintf(folder, sizeof folder, "/tmp/prt-shaders-XXXXXX");
-    if (!mkdtemp(folder)) return why_set(&reason, "cannot make a folder in /tmp");
+    if (make_temporary_directory("prt-shaders", folder, sizeof folder))
+        return why_set(&reason, "cannot make a folder among the temporary files");
     if (write_cost_sources() ||
         shell("cd %s && ls *.comp | xargs -P2 -I@ sh -c 'glslangValidator -V -S comp -o @.spv @ >@.log && "
               "spirv-opt --ssa-rewrite --eliminate-local-multi-store --eliminate-dead-code-aggressive @.spv -o @.opt && "
