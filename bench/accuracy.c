@@ -1,7 +1,8 @@
 /* accuracy.c - the error of SH evaluation, against MPFR, from 1 to 1024 bands; writes CSV.
 
-   Truth is taken at two places. At the unit direction: (x,y,z), exactly as the binary numbers stand, normalised in MPFR;
-   that error is what a caller sees. At the direction as given, |(x,y,z)| = 1 + delta: the polynomials p(l,m)(z) (x+iy)^m
+   Truth is taken at two places. At the unit direction: (x,y,z), exactly as the binary numbers stand, normalised in
+   MPFR; that error is what a caller sees. At the direction as given, |(x,y,z)| = 1 + delta: the polynomials
+   p(l,m)(z) (x+iy)^m
    with just those numbers; that error is the evaluator's own, without the rounding of its input. */
 #define _POSIX_C_SOURCE 200809L
 #include "accuracy_forms.h"

@@ -27,7 +27,7 @@ typedef struct bench_data {
 
 /* One row of the table. A pass does `items` items of work; `run` does so many passes. Counts are for one item. */
 typedef struct bench_candidate {
-    const char *job;          /* what is computed: rows of the same job, bands and precision are compared side by side */
+    const char *job;          /* what is computed: rows of the same job, bands and precision stand side by side */
     const char *name;         /* who computes it, and how */
     const char *build;        /* how it was compiled: "native", "native plain", ... */
     int real_bytes;           /* 4 or 8: the precision of the data that it works on */

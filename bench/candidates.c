@@ -25,12 +25,22 @@ static const prt_real turn[9] = {
     (prt_real)0.36, (prt_real)0.48, (prt_real)-0.8, (prt_real)-0.8, (prt_real)0.6, 0, (prt_real)0.48, (prt_real)0.64,
     (prt_real)0.6
 };
+enum { MATRIX_BANDS = 10 };
 static const prt_real *blocks_of(int n) {
     static prt_real blocks[PRT_MAX_BANDS * (4 * PRT_MAX_BANDS * PRT_MAX_BANDS - 1) / 3];
     static int built;
     if (n != built && prt_sh_rotation(n, turn, blocks) == PRT_OK) built = n;
     return blocks;
 }
+static const prt_real *matrix_of(int n, const prt_real *filter) {
+    static prt_real matrix[MATRIX_BANDS * MATRIX_BANDS * MATRIX_BANDS * MATRIX_BANDS];
+    static int built;
+    if (n != built && n <= MATRIX_BANDS && prt_sh_product_matrix(n, filter, matrix) == PRT_OK) built = n;
+    return matrix;
+}
+static const int y_up[3] = { 1, -3, 2 };
+static const prt_real quarter[4] = { (prt_real)0.5, (prt_real)0.5, (prt_real)-0.5, (prt_real)0.5 };
+static double one(void *user, prt_vec3 dir) { (void)user; (void)dir; return 1; }
 /* Points that see VO_SEEN occluders each, and lights, all at random; opaque. Packed forms beside them. */
 enum { VO_POINTS = 1024, VO_SEEN = 5, VO_LIGHTS = 32 };
 typedef struct vo_scene {
@@ -41,6 +51,7 @@ typedef struct vo_scene {
     prt_vo_packed packed[VO_POINTS * VO_SEEN];
     prt_vo_packed_diffuse packed_diffuse[VO_POINTS * VO_SEEN];
     prt_point_light lights[VO_LIGHTS];
+    prt_vo_wave waves[2];
 } vo_scene;
 static prt_real vo_noise(void) {
     static uint32_t state = 1;
@@ -68,20 +79,31 @@ static const vo_scene *vo_scene_of(void) {
     }
     for (k = 0; k < VO_POINTS; k++) {
         prt_vo_pack(1, s.points[k].position, VO_SEEN, s.occluders + s.first[k], s.packed + s.first[k]);
-        prt_vo_pack_diffuse(1, s.points[k].position, VO_SEEN, s.occluders + s.first[k], s.packed_diffuse + s.first[k]);
+        prt_vo_pack_diffuse(1, s.points[k].position, VO_SEEN, s.occluders + s.first[k],
+                            s.packed_diffuse + s.first[k]);
     }
-    for (k = 0; k < VO_LIGHTS; k++) { vo_fill(&s.lights[k].position.x, 3, -9, 9); vo_fill(&s.lights[k].color.r, 3, 0, 1); }
+    for (k = 0; k < VO_LIGHTS; k++) {
+        vo_fill(&s.lights[k].position.x, 3, -9, 9);
+        vo_fill(&s.lights[k].color.r, 3, 0, 1);
+    }
+    for (k = 0; k < 2; k++) {
+        s.waves[k].along.x = s.waves[k].across.z = 1;
+        s.waves[k].amplitude = s.waves[k].frequency = (prt_real)0.5 + (prt_real)k;
+    }
     return &s;
 }
 #define VO (vo_scene_of())
 
+/* Made before the clock runs: what the candidate does not name costs nothing. */
 #define BLOCKS blocks
-#define PREPARED const prt_real *blocks = n > 0 ? blocks_of(n) : NULL; (void)blocks; (void)n; (void)items;
+#define MATRIX matrix
+#define PREPARED const prt_real *blocks = n > 0 ? blocks_of(n) : NULL, *matrix = n > 0 ? matrix_of(n, F) : NULL; \
+    (void)blocks; (void)matrix; (void)n; (void)items;
 
-/* A table of random vectors on 33 x 64 x 30 places, as large as one that is baked (2.3 MB in float), 32 x 32 receivers on
-   a plane, and occluders floating over them, close to each other: of 60, four pairs in ten overlap. */
-enum { FIV_THETAS = 33, FIV_PHIS = 64, FIV_RHOS = 30, FIV_SAMPLES = FIV_THETAS * FIV_PHIS * FIV_RHOS, FIV_RECEIVERS = 1024,
-       FIV_MOST = 60, FIV_BANDS = 4, FIV_HIDDEN = (FIV_BANDS + 1) * (FIV_BANDS + 1) };
+/* A table of random vectors on 33 x 64 x 30 places, as large as one that is baked (2.3 MB in float), 32 x 32 receivers
+   on a plane, and occluders floating over them, close to each other: of 60, four pairs in ten overlap. */
+enum { FIV_THETAS = 33, FIV_PHIS = 64, FIV_RHOS = 30, FIV_SAMPLES = FIV_THETAS * FIV_PHIS * FIV_RHOS,
+       FIV_RECEIVERS = 1024, FIV_MOST = 60, FIV_BANDS = 4, FIV_HIDDEN = (FIV_BANDS + 1) * (FIV_BANDS + 1) };
 typedef struct fiv_scene {
     prt_fiv samples[FIV_SAMPLES], low[FIV_RHOS], step[FIV_RHOS];
     prt_real rho[FIV_RHOS], hidden[FIV_SAMPLES * FIV_HIDDEN], vectors[9 * FIV_HIDDEN];
@@ -93,12 +115,22 @@ typedef struct fiv_scene {
     prt_fiv_occluder occluders[FIV_MOST];
     prt_vec3 positions[FIV_RECEIVERS], normals[FIV_RECEIVERS];
     prt_rgb totals[FIV_RECEIVERS];
+    prt_fiv_hidden found[FIV_MOST];    /* what the occluders hide from receiver 0 */
     int corner[FIV_RECEIVERS];         /* the first of eight samples around occluder 0 */
 } fiv_scene;
 
+/* What lies between a receiver and occluder k. */
+static prt_vec3 fiv_between(const fiv_scene *s, int receiver, int k) {
+    prt_vec3 p = s->positions[receiver], o = s->occluders[k].position;
+    return prt__vec3(o.x - p.x, o.y - p.y, o.z - p.z);
+}
+
+static prt_fiv fiv_low[FIV_RHOS], fiv_step[FIV_RHOS];  /* where prt_fiv_pack writes when it is timed */
+static prt_fiv_packed fiv_packed;
+
 static const fiv_scene *fiv_scene_of(const bench_data *data) {
     static fiv_scene s;
-    int k, i;
+    int k;
     if (s.table.samples) return &s;
     for (k = 0; k < FIV_SAMPLES * 9; k++) (&s.samples[0].r.x)[k] = F[k % 4096] + 1;
     for (k = 0; k < FIV_SAMPLES * FIV_HIDDEN; k++) s.hidden[k] = F[k % 4096];
@@ -129,18 +161,15 @@ static const fiv_scene *fiv_scene_of(const bench_data *data) {
         s.positions[k].y = (prt_real)(k / 32 * 0.2 - 3.2);
         s.normals[k].z = 1;
         s.totals[k].r = s.totals[k].g = s.totals[k].b = 3;
-        i = 0;
-        prt__fiv_cell_of(&grid, prt__vec3(s.occluders[i].position.x - s.positions[k].x,
-                                          s.occluders[i].position.y - s.positions[k].y, s.occluders[i].position.z), &cells);
+        prt__fiv_cell_of(&grid, fiv_between(&s, k, 0), &cells);
         s.corner[k] = (int)cells.at[0] % (FIV_SAMPLES - FIV_THETAS * FIV_PHIS - FIV_PHIS - 1);
     }
+    for (k = 0; k < FIV_MOST; k++) {
+        s.found[k].to_centre = fiv_between(&s, 0, k);
+        s.found[k].radius = s.table.radius;
+        prt_fiv_lookup(&s.table, s.found[k].to_centre, &s.found[k].fiv);
+    }
     return &s;
-}
-
-/* What lies between a receiver and occluder k. */
-static prt_vec3 fiv_between(const fiv_scene *s, int receiver, int k) {
-    prt_vec3 p = s->positions[receiver], o = s->occluders[k].position;
-    return prt__vec3(o.x - p.x, o.y - p.y, o.z - p.z);
 }
 
 static void fiv_each(const fiv_scene *s, int occluders, prt_rgb *out) {

@@ -5,9 +5,13 @@
 
 #include "bench.h"
 
-#define BENCH_CONFIGURATIONS(X) \
+#ifdef BENCH_ONE_CONFIGURATION          /* for a test that every row runs */
+#  define BENCH_CONFIGURATIONS(X) X(float_native)
+#else
+#  define BENCH_CONFIGURATIONS(X) \
     X(float_native) X(float_native_plain) X(float_portable) X(float_portable_plain) \
     X(double_native) X(double_native_plain) X(double_portable) X(double_portable_plain)
+#endif
 
 #define BENCH_DECLARE(id) \
     const bench_candidate *bench_rows_##id(int *count); \

@@ -17,7 +17,7 @@
 #include <time.h>
 #include <unistd.h>
 
-enum { MAX_CANDIDATES = 1024, MAX_PEERS = 256, MAX_ROUNDS = 1001, MAX_ROWS = 128, MAX_BANDS = 64 };
+enum { MAX_CANDIDATES = 4096, MAX_PEERS = 256, MAX_ROUNDS = 1001, MAX_ROWS = 128, MAX_BANDS = 64 };
 
 /* Something timed in a round: a candidate's row, or a ceiling. */
 typedef struct timed {
@@ -250,7 +250,8 @@ static void run_rounds(timed *all, int count, int rounds, double *clock) {
 /* ----------------------------------------------------------------------------------------------- groups ---- */
 
 /* Adds a ceiling to the group unless it stands there already; returns its place, -1 if there is no room. */
-static int add_ceiling(timed *all, int *count, const bench_candidate *ceiling, const timed *of, size_t chunk, int items) {
+static int add_ceiling(timed *all, int *count, const bench_candidate *ceiling, const timed *of, size_t chunk,
+                       int items) {
     int i;
     for (i = 0; i < *count; i++)
         if (all[i].candidate == ceiling && all[i].chunk == chunk && all[i].items == items) return i;
@@ -365,7 +366,7 @@ static int has_band(const char *list, int bands) {
     return 0;
 }
 
-/* Every word of the filter (separated by blanks) must be in the row's description; "=word" must be a whole word of it. */
+/* Every word of the filter (separated by blanks) must be in the row's description; "=word" a whole word of it. */
 static int passes_filter(const char *filter, const bench_candidate *c, int bands) {
     char text[512], words[512], *word;
     if (!filter) return 1;

@@ -37,7 +37,7 @@ static void prepare(void) {
     for (k = 0; k < 3 * WIDTH * HEIGHT; k++) texels[k] = (float)(k % 17);
 }
 
-/* Counts `call` and gives the count its name. A first call leaves out what happens only once, such as symbol binding. */
+/* Counts `call` and gives the count its name. A first call leaves out what happens only once, say symbol binding. */
 #define COUNT_IT(name, call) do { \
         call; \
         CALLGRIND_ZERO_STATS; \

@@ -26,7 +26,8 @@ static float *texel(const map *m, int i, int j) { return m->rgb + 3 * ((size_t)j
 static map split(const map *in) {
     map out = new_map(in->width * SPLIT, in->height * SPLIT);
     for (int j = 0; j < out.height; j++)
-        for (int i = 0; i < out.width; i++) memcpy(texel(&out, i, j), texel(in, i / SPLIT, j / SPLIT), 3 * sizeof(float));
+        for (int i = 0; i < out.width; i++)
+            memcpy(texel(&out, i, j), texel(in, i / SPLIT, j / SPLIT), 3 * sizeof(float));
     return out;
 }
 

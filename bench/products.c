@@ -2,8 +2,8 @@
 
      products [--plot docs/plots/product_pareto.svg]
 
-   Prints a table; the plot needs gnuplot. Error: largest coefficient error over |f| |g| of 20 random pairs, against the sum
-   over triple product coefficients in double; time of one pair, the least of 15 rounds. */
+   Prints a table; the plot needs gnuplot. Error: largest coefficient error over |f| |g| of 20 random pairs, against the
+   sum over triple product coefficients in double; time of one pair, the least of 15 rounds. */
 #ifndef _POSIX_C_SOURCE
 #define _POSIX_C_SOURCE 200809L
 #endif
@@ -61,7 +61,9 @@ static double error_of(int bands, const prt_real *got) {
 }
 
 enum { WAYS = 4 };
-static const char *const names[WAYS] = { "one pair", "a batch of 64, per pair", "one pair on the grid", "a matrix made before" };
+static const char *const names[WAYS] = {
+    "one pair", "a batch of 64, per pair", "one pair on the grid", "a matrix made before"
+};
 
 static void multiply(int way, int bands) {
     switch (way) {
@@ -110,8 +112,8 @@ static int plot(const char *path, double error[WAYS][MOST + 1], double time[WAYS
     FILE *p = popen("gnuplot", "w");
     int way, n;
     if (!p) return 0;
-    fprintf(p, "set terminal svg size 800,560 noenhanced dynamic font 'sans-serif,13' background 'white'\nset output '%s'\n"
-               "set logscale xy\nset xlabel 'ns a product, 2 to %d bands from left to right'\n"
+    fprintf(p, "set terminal svg size 800,560 noenhanced dynamic font 'sans-serif,13' background 'white'\n"
+               "set output '%s'\nset logscale xy\nset xlabel 'ns a product, 2 to %d bands from left to right'\n"
                "set ylabel 'largest error over |f| |g|'\nset yrange [1e-9:1e-6]\nset format y '1e%%L'\n"
                "set grid xtics ytics lc rgb '#dddddd'\nset key top left Left reverse\nplot ", path, MOST);
     for (way = 0; way < WAYS; way++) fprintf(p, "%s'-' with linespoints lw 2 title '%s'", way ? ", " : "", names[way]);
@@ -136,8 +138,8 @@ int main(int argc, char **argv) {
     }
     for (i = 0; i < 2 * TRIALS * SIZE; i++) random_numbers[i] = (prt_real)(rand() / (double)RAND_MAX - 0.5);
     make_terms();
-    printf("%s, %s, %s, %d lanes: ns a product, largest error over |f| |g|\n", bench_cpu_name(), BENCH_COMPILER, BENCH_FLAGS,
-           PRT__LANES);
+    printf("%s, %s, %s, %d lanes: ns a product, largest error over |f| |g|\n", bench_cpu_name(), BENCH_COMPILER,
+           BENCH_FLAGS, PRT__LANES);
     for (n = 2; n <= MOST; n++) {
         printf("%2d bands", n);
         for (way = 0; way < WAYS; way++) {

@@ -52,10 +52,10 @@ static void csv_group(FILE *f, const bench_row *rows, int count) {
     int i;
     for (i = 0; i < count; i++) {
         const bench_candidate *c = rows[i].candidate;
-        fprintf(f, "%s,\"%s\",%d,%s,%s,%d,%d,%.4f,%.4f,%.4f,%.3f,%.0f,%.0f,%.0f,%.4f,%.4f,%.4f\n", c->job, c->name, c->peer,
-                c->build, precision(c), rows[i].bands, rows[i].items, rows[i].ns, rows[i].ns_min, rows[i].spread, rows[i].cycles,
-                rows[i].flops, rows[i].bytes_read, rows[i].bytes_written, rows[i].of_write, rows[i].of_copy,
-                rows[i].of_flops);
+        fprintf(f, "%s,\"%s\",%d,%s,%s,%d,%d,%.4f,%.4f,%.4f,%.3f,%.0f,%.0f,%.0f,%.4f,%.4f,%.4f\n", c->job, c->name,
+                c->peer, c->build, precision(c), rows[i].bands, rows[i].items, rows[i].ns, rows[i].ns_min,
+                rows[i].spread, rows[i].cycles, rows[i].flops, rows[i].bytes_read, rows[i].bytes_written,
+                rows[i].of_write, rows[i].of_copy, rows[i].of_flops);
     }
 }
 
@@ -73,8 +73,8 @@ static void show(void *user, const bench_row *rows, int count) {
     if (!count) return;
     if (out->csv && !out->header_written) {
         stamp(out->csv, "# ");
-        fprintf(out->csv, "job,name,peer,build,precision,bands,items,ns,ns_min,spread,cycles,flops,bytes_read,bytes_written,"
-                          "of_write,of_copy,of_flops\n");
+        fprintf(out->csv, "job,name,peer,build,precision,bands,items,ns,ns_min,spread,cycles,flops,bytes_read,"
+                          "bytes_written,of_write,of_copy,of_flops\n");
         out->header_written = 1;
     }
     print_group(rows, count);
@@ -90,9 +90,9 @@ static void usage(FILE *f) {
           "  --markdown FILE  write the tables as markdown\n"
           "  --quick          fewer and shorter rounds: rough figures in a tenth of the time\n"
           "  --rounds N       timed rounds of each row [31]\n"
-          "Times are for one item, median of all rounds; +-% is half the interquartile range. /first compares with the\n"
-          "first row, /write and /copy with memset and memcpy of the same output bytes, /peak with the multiply-adds of\n"
-          "the same build at their peak rate, all measured in the same rounds.\n", f);
+          "Times are for one item, median of all rounds; +-% is half the interquartile range. /first compares with\n"
+          "the first row, /write and /copy with memset and memcpy of the same output bytes, /peak with the\n"
+          "multiply-adds of the same build at their peak rate, all measured in the same rounds.\n", f);
 }
 
 static FILE *open_output(const char *path) {
