@@ -24,7 +24,7 @@
      For moving occluders (prt_fiv_shade): prt_fiv_distances, prt_bake_fiv_table, prt_bake_fiv_inside, prt_bake_fiv_total.
      For vector occluders (prt_vo_shade) instead: prt_bake_vo_ao, prt_bake_vo, prt_vo_compact.
      Rooms, by the tag to grep for: >>types, >>sample point sets, >>point bake points, >>direct transfer, >>fiv fullsphere
-     irradiance vectors, >>vo vector occluders.
+     irradiance vectors, >>vo vector occluders, >>measure what a scene requires.
 
    A COMPLETE EXAMPLE
      #include <stdio.h>
@@ -101,9 +101,12 @@
      [Cranley 1976]    Cranley, Patterson: Randomization of Number Theoretic Methods for Multiple Integration. 1976
      [Duff 2017]       Duff et al.: Building an Orthonormal Basis, Revisited. JCGT 6(1), 2017
      [Marques 2013]    Marques et al.: Spherical Fibonacci Point Sets for Illumination Integrals. CGF 32(8), 2013
+     [Miller 1955]     Miller: Note on the Bias of Information Estimates. Information Theory in Psychology, 1955
+     [Shannon 1948]    Shannon: A Mathematical Theory of Communication. Bell System Technical Journal 27, 1948
      [Sherif 2013]     Sherif: Vector Occluders. MSc thesis, University of Ontario Institute of Technology, 2013
      [Steele 2014]     Steele, Lea, Flood: Fast Splittable Pseudorandom Number Generators. OOPSLA 2014
      [Thuermer 1998]   Thuermer, Wuethrich: Computing Vertex Normals from Polygonal Facets. JGT 3(1), 1998
+     [Wigner 1959]     Wigner: Group Theory and its Application to the Quantum Mechanics of Atomic Spectra. 1959
 */
 #ifndef PRT_BAKE_H_INCLUDED
 #define PRT_BAKE_H_INCLUDED
@@ -458,6 +461,76 @@ PRTDEF prt_result prt_vo_compact(int max_occluders, int point_count, const prt_v
    PRT_ERR_VALUE (a position is not finite; facing outside 0 ... 1); PRT_ERR_MEMORY. mesh->normals is not read.
    Cost: up to 32 rounds of 10 operations a face and group; memory: 64 bytes a face and 88 a group, from PRT_MALLOC. */
 PRTDEF prt_result prt_vo_split(const prt_mesh *mesh, int group_count, prt_real facing, int *groups, int *made);
+
+/* ----------------------------------------------------------------------------------------------- >>measure ---- */
+
+/* What a scene requires, measured before it is decided what to model: how much of light and transfer lies in which
+   band, what leaving bands out or tracing fewer rays costs, how much there is to know about visibility. Sums are in
+   double; nothing is allocated. examples/advise.c chooses a set-up by them. Errors of all: PRT_ERR_BANDS,
+   PRT_ERR_COUNT, PRT_ERR_NULL (an array may be NULL where its count is 0), PRT_ERR_VALUE. A mean over no points
+   is 0. */
+
+/* Energy by band: energy[l] = (1/count) sum_k sum_m f_k(l,m)^2, l < bands, of f[count][bands^2]: transfer of points, or
+   the planes of a light in colours (count 3). By Parseval's theorem sum_l energy[l] is the mean of int f^2 dw over what
+   f has of these bands; what int f^2 exceeds it by lies in higher bands.
+   Cost: a multiply-add a coefficient. Accuracy: n^2 count 1e-16, relative. */
+PRTDEF prt_result prt_measure_energy(int bands, int count, const prt_real *f, double *energy);
+
+/* What `kept` bands of the light under window w (width kept) lose of exit radiance, against all `bands` without window:
+   *rms = root of the mean over points and colours of (sum_lm (1 - w(l)) T_lm L_lm)^2, w(l) = 0 for l >= kept; exact.
+   transfer[point_count][bands^2], light three planes of bands^2. kept 0 ... bands (PRT_ERR_COUNT); 0 loses all: *rms is
+   then the root mean square of exit radiance itself, the scale of the others. An unknown window: PRT_ERR_VALUE.
+   Cost: 3 n^2 multiply-adds a point. Accuracy: that of prt_shade_diffuse in double. */
+PRTDEF prt_result prt_measure_truncation(int bands, int kept, prt_window w, int point_count, const prt_real *transfer,
+                                         const prt_real *light, double *rms);
+
+/* The same for a light that turns: the mean is over all rotations R of the light, too, and band energies suffice, since
+   entries of different rotation matrices are orthogonal and one of M^l has the mean square 1/(2l+1) [Wigner 1959]:
+     E_R (T . R L)^2 = sum_l |T_l|^2 |L_l|^2/(2l+1),
+     *rms^2 = sum_l (1 - w(l))^2 transfer_energy[l] light_energy[l]/(2l+1).
+   Energies as prt_measure_energy gives them, [bands] each. Cost: bands. Error: 1e-15 bands, relative. */
+PRTDEF prt_result prt_measure_truncation_turned(int bands, int kept, prt_window w, const double *transfer_energy,
+                                                const double *light_energy, double *rms);
+
+/* What the rays cost, under this light: of two bakes a, b of the same points with different seeds, the standard error
+   of exit radiance by their mean (prt_bake_error), *error = root of the mean over points and colours of
+   ((a-b).L/2)^2. One of the two alone errs by sqrt(2) of that. Its own relative error is about 1/sqrt(2 points).
+   Sizes as above. To ask what fewer bands would give, hand over the light they leave (prt_sh_window). Cost: 3 n^2 multiply-adds a point. */
+PRTDEF prt_result prt_measure_noise(int bands, int point_count, const prt_real *a, const prt_real *b,
+                                    const prt_real *light, double *error);
+
+/* Rays a point for the standard error `wanted`, where `rays` of them gave `error`, which falls as rays^-rate: 1/2 for
+   independent rays, about 3/4 for prt_bake_transfer (docs/bake.md). rays (error/wanted)^(1/rate), rounded up, at least
+   1 and at most INT_MAX. 0 unless rays >= 1, error >= 0, rate > 0, wanted > 0. */
+PRTDEF int prt_measure_rays(int rays, double error, double rate, double wanted);
+
+/* Shannon's entropy of a distribution, in bits: - sum p_k log2 p_k with p_k = share_k/sum of shares; shares at most 0
+   or NaN count as 0; 0 where nothing is left. 2^H is the number of equal shares that say as little [Shannon 1948].
+   {open, blocked} of a point: 0 where its rays all fare alike, 1 where a ray is as likely blocked as not. {open, form
+   factors of its occluders} (prt_bake_vo): how many things the point sees in effect. Accuracy: count 1e-15. */
+PRTDEF double prt_measure_entropy(int count, const prt_real *shares);
+
+/* What there is to know about visibility. A ray of cosine distribution from a point is open with the chance p, the open
+   share of its hemisphere, which band 0 of its transfer holds: p = T_0/Y(0,0). */
+typedef struct prt_visibility {
+    double open;                       /* mean of p: mean ambient occlusion, 1 where nothing hides anything */
+    double entropy;                    /* mean of H(p, 1-p): bits a ray that are open when its point is known; what
+                                          only a directional model (bands above the first) can tell. 0: p is 0 or 1
+                                          everywhere */
+    double information;                /* H(open, 1-open) - entropy >= 0: bits a ray that the point tells
+                                          [Shannon 1948]; what ambient occlusion tells. 0: all points are alike */
+} prt_visibility;
+
+/* transfer[point_count][bands^2], of which band 0 is read. Cost: two logarithms a point. Accuracy: that of the bake;
+   entropy of the noise of few rays is too low by about 1/(2 ln 2 rays) bits [Miller 1955]. */
+PRTDEF prt_result prt_measure_visibility(int bands, int point_count, const prt_real *transfer, prt_visibility *out);
+
+/* How many vector occluders points need: left[k] = mean over points of the form factor of what is beyond the k
+   strongest occluders, k = 0 ... K, from what prt_bake_vo made with K = max_occluders (0: the default); left[0] is the
+   mean blocked share, left[K] what the bake itself dropped. PRT_ERR_COUNT also for rows[k].count outside 0 ... K.
+   Cost: an addition an occluder. */
+PRTDEF prt_result prt_measure_occluders(int max_occluders, int point_count, const prt_vo_row *rows,
+                                        const prt_vo_occluder *occluders, double *left);
 
 #ifdef __cplusplus
 }
@@ -2607,6 +2680,159 @@ PRTDEF prt_result prt_vo_split(const prt_mesh *mesh, int group_count, prt_real f
     for (round = 0; round < PRT__SPLIT_ROUNDS && prt__split_round(&s) > 0; round++) continue;
     *made = prt__split_number(&s);
     PRT_FREE(memory);
+    return PRT_OK;
+}
+
+/* ----------------------------------------------------------------------------------------------- >>measure ---- */
+
+PRT__STATIC double prt__band_energy(int l, const prt_real *f) {
+    double sum = 0;
+    int i;
+    for (i = l * l; i < (l + 1) * (l + 1); i++) sum += (double)f[i] * (double)f[i];
+    return sum;
+}
+
+PRTDEF prt_result prt_measure_energy(int bands, int count, const prt_real *f, double *energy) {
+    int k, l;
+    if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
+    if (count < 0) return PRT_ERR_COUNT;
+    if (!energy || (count > 0 && !f)) return PRT_ERR_NULL;
+    for (l = 0; l < bands; l++) energy[l] = 0;
+    for (k = 0; k < count; k++)
+        for (l = 0; l < bands; l++)
+            energy[l] += prt__band_energy(l, f + (size_t)k * (size_t)PRT_SH_COUNT(bands)) / count;
+    return PRT_OK;
+}
+
+/* lost[l] = 1 - w(l): the part of band l that so many bands and the window leave out */
+PRT__STATIC prt_result prt__lost_weights(int bands, int kept, prt_window w, double *lost) {
+    int l;
+    if (!prt__window_ok(w)) return PRT_ERR_VALUE;
+    if (kept > 0) prt__window_weights(w, kept, bands, lost);
+    for (l = 0; l < bands; l++) lost[l] = l < kept ? 1 - lost[l] : 1;
+    return PRT_OK;
+}
+
+/* sum over bands of weight[l] (T_l - U_l) . L_l; U may be NULL: 0 */
+PRT__STATIC double prt__weighted_dot(int bands, const double *weight, const prt_real *t, const prt_real *u,
+                                     const prt_real *light) {
+    double sum = 0;
+    int l, i;
+    for (l = 0; l < bands; l++) {
+        double band = 0;
+        for (i = l * l; i < (l + 1) * (l + 1); i++)
+            band += ((double)t[i] - (u ? (double)u[i] : 0)) * (double)light[i];
+        sum += weight[l] * band;
+    }
+    return sum;
+}
+
+/* Root of the mean of that, squared, over points and colours */
+PRT__STATIC double prt__radiance_rms(int bands, const double *weight, int point_count, const prt_real *t,
+                                     const prt_real *u, const prt_real *light) {
+    size_t row = (size_t)PRT_SH_COUNT(bands);
+    double sum = 0;
+    int k, c;
+    for (k = 0; k < point_count; k++)
+        for (c = 0; c < 3; c++) {
+            double e = prt__weighted_dot(bands, weight, t + (size_t)k * row, u ? u + (size_t)k * row : NULL,
+                                         light + (size_t)c * row);
+            sum += e * e;
+        }
+    return point_count > 0 ? sqrt(sum / 3 / point_count) : 0;
+}
+
+PRTDEF prt_result prt_measure_truncation(int bands, int kept, prt_window w, int point_count, const prt_real *transfer,
+                                         const prt_real *light, double *rms) {
+    double lost[PRT_MAX_BANDS];
+    prt_result r;
+    if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
+    if (kept < 0 || kept > bands || point_count < 0) return PRT_ERR_COUNT;
+    if (!light || !rms || (point_count > 0 && !transfer)) return PRT_ERR_NULL;
+    r = prt__lost_weights(bands, kept, w, lost);
+    if (r == PRT_OK) *rms = prt__radiance_rms(bands, lost, point_count, transfer, NULL, light);
+    return r;
+}
+
+PRTDEF prt_result prt_measure_truncation_turned(int bands, int kept, prt_window w, const double *transfer_energy,
+                                                const double *light_energy, double *rms) {
+    double lost[PRT_MAX_BANDS], sum = 0;
+    prt_result r;
+    int l;
+    if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
+    if (kept < 0 || kept > bands) return PRT_ERR_COUNT;
+    if (!transfer_energy || !light_energy || !rms) return PRT_ERR_NULL;
+    r = prt__lost_weights(bands, kept, w, lost);
+    if (r != PRT_OK) return r;
+    for (l = 0; l < bands; l++) sum += lost[l] * lost[l] * transfer_energy[l] * light_energy[l] / (2 * l + 1);
+    *rms = sqrt(sum);
+    return PRT_OK;
+}
+
+PRTDEF prt_result prt_measure_noise(int bands, int point_count, const prt_real *a, const prt_real *b,
+                                    const prt_real *light, double *error) {
+    double half[PRT_MAX_BANDS];
+    int l;
+    if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
+    if (point_count < 0) return PRT_ERR_COUNT;
+    if (!light || !error || (point_count > 0 && (!a || !b))) return PRT_ERR_NULL;
+    for (l = 0; l < bands; l++) half[l] = 0.5;
+    *error = prt__radiance_rms(bands, half, point_count, a, b, light);
+    return PRT_OK;
+}
+
+PRTDEF int prt_measure_rays(int rays, double error, double rate, double wanted) {
+    double needed;
+    if (rays < 1 || !(error >= 0) || !(rate > 0) || !(wanted > 0)) return 0;
+    needed = ceil(rays * pow(error / wanted, 1 / rate));
+    return needed >= (double)INT_MAX ? INT_MAX : needed > 1 ? (int)needed : 1;
+}
+
+/* -p log2 p; 0 for what is no chance */
+PRT__STATIC double prt__information(double p) { return p > 0 ? -p * log(p) / log(2.0) : 0; }
+
+PRTDEF double prt_measure_entropy(int count, const prt_real *shares) {
+    double sum = 0, entropy = 0;
+    int k;
+    if (count < 0 || !shares) return 0;
+    for (k = 0; k < count; k++) if (shares[k] > 0) sum += (double)shares[k];
+    for (k = 0; k < count; k++) if (shares[k] > 0) entropy += prt__information((double)shares[k] / sum);
+    return entropy > 0 ? entropy : 0;
+}
+
+PRTDEF prt_result prt_measure_visibility(int bands, int point_count, const prt_real *transfer, prt_visibility *out) {
+    double open = 0, entropy = 0;
+    int k;
+    if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
+    if (point_count < 0) return PRT_ERR_COUNT;
+    if (!out || (point_count > 0 && !transfer)) return PRT_ERR_NULL;
+    for (k = 0; k < point_count; k++) {
+        double p = (double)transfer[(size_t)k * (size_t)PRT_SH_COUNT(bands)] * 2 * sqrt(PRT__PI);
+        open += p / point_count;
+        entropy += (prt__information(p) + prt__information(1 - p)) / point_count;
+    }
+    out->open = open;
+    out->entropy = entropy;
+    out->information = point_count > 0 ? prt__information(open) + prt__information(1 - open) - entropy : 0;
+    if (!(out->information > 0)) out->information = 0;
+    return PRT_OK;
+}
+
+PRTDEF prt_result prt_measure_occluders(int max_occluders, int point_count, const prt_vo_row *rows,
+                                        const prt_vo_occluder *occluders, double *left) {
+    int keep = max_occluders ? max_occluders : (int)PRT__VO_OCCLUDERS, k, i;
+    if (max_occluders < 0 || point_count < 0) return PRT_ERR_COUNT;
+    if (!left || (point_count > 0 && (!rows || !occluders))) return PRT_ERR_NULL;
+    for (k = 0; k < point_count; k++) if (rows[k].count < 0 || rows[k].count > keep) return PRT_ERR_COUNT;
+    for (i = 0; i <= keep; i++) left[i] = 0;
+    for (k = 0; k < point_count; k++) {
+        const prt_vo_occluder *own = occluders + (size_t)k * (size_t)keep;
+        double rest = (double)rows[k].dropped_factor;
+        for (i = keep; i >= 0; i--) {
+            if (i < rows[k].count) rest += (double)own[i].form_factor;
+            left[i] += rest / point_count;
+        }
+    }
     return PRT_OK;
 }
 
