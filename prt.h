@@ -844,8 +844,10 @@ PRTDEF prt_rgb prt_fiv_total(int size, const prt_rgb *total, prt_vec3 normal);
    there, so dot products with it are 0.
    Bounded: every finite input gives a finite result; what overflows is clamped to the largest finite number.
    Continuous in the place of every light (but where it meets x or P, where a direction has no limit), in the eye, and
-   in every vector of an occluder that is not zero, except that SS begins abruptly at N.v = 0, where no baked occluder
-   stands. occlusion, caustic and specular_normal may have any length but zero; normals of points should be unit. */
+   in every vector of an occluder that is not zero, except that SS as the thesis has it begins abruptly at N.v = 0,
+   by all that the formula gives there: no baked occluder stands below, but one that moves, or a normal that turns, may
+   pass it. ss_fade > 0 multiplies SS with min(1, N.v/ss_fade), and then nothing jumps. occlusion, caustic and
+   specular_normal may have any length but zero; normals of points should be unit. */
 typedef struct prt_vo_occluder {       /* the thesis' eight vectors, with the two form factors beside them (7.2) */
     prt_vec3 position;                 /* mean visible position */
     prt_vec3 occlusion;                /* unit mean direction, zero: none */
@@ -882,6 +884,7 @@ typedef struct prt_vo_params {         /* zero-initialise; 0 means the default i
     unsigned off;                      /* PRT_VO_NO_SHADOW | ...: terms to leave out; block or focus is then 1 */
     int law;                           /* prt_vo_law; anything else counts as PRT_VO_SINE */
     prt_real light_angle;              /* radians; half the angle under which PRT_VO_CAP sees a light [5 degrees] */
+    prt_real ss_fade;                  /* sine of the height above the surface from which SS counts in full [0: any] */
 } prt_vo_params;
 
 /* Exit radiance towards the eye at one point, see above.
@@ -950,6 +953,66 @@ PRTDEF prt_result prt_vo_shade_packed_diffuse_n(const prt_vo_params *params, prt
                                                 const prt_vo_point *points, prt_vec3 eye, const int *first,
                                                 const prt_vo_packed_diffuse *packed, int light_count,
                                                 const prt_point_light *lights, prt_rgb *out);
+
+/* Indexed occluders: plain numbers, without what an occluder has from its object or can be told from the rest. Colours
+   stand once in a table of materials; a direction and its factor are one vector. 76 bytes instead of 104 (float), or
+   40 where DS, SS and caustics are off. */
+typedef struct prt_vo_material { prt_rgb diffuse, specular, transmissive; } prt_vo_material;
+typedef struct prt_vo_indexed_diffuse {
+    prt_vec3 position;
+    prt_vec3 occlusion;                /* length: form_factor */
+    prt_vec3 diffuse_normal;
+    int material;                      /* diffuse and transmissive of it */
+} prt_vo_indexed_diffuse;
+typedef struct prt_vo_indexed {
+    prt_vec3 position, occlusion, diffuse_normal;
+    int material;                      /* diffuse and specular of it */
+    prt_vec3 specular_normal;
+    prt_vec3 caustic;                  /* length: caustic_factor */
+    prt_rgb transmissive;              /* a mean over rays, which differs from point to point */
+} prt_vo_indexed;
+
+/* Occluders to indexed ones. Colours are looked up in materials[*material_count], and those not yet there appended: 0
+   before the first call, and calls for parts of a scene go on in the same table. Of a material each form sets what it
+   reads, the rest is 0.
+   Errors: PRT_ERR_COUNT (count, capacity or *material_count below 0, *material_count above capacity); PRT_ERR_NULL;
+   PRT_ERR_VALUE (a number that is not finite, a factor below 0 or above 1e15); PRT_ERR_CAPACITY (more than `capacity`
+   materials; *material_count is as it was, materials past it may have been written). Then out is not written.
+   Cost: up to *material_count comparisons an occluder; one where neighbours have the same colours. */
+PRTDEF prt_result prt_vo_index        (int count, const prt_vo_occluder *occluders, int capacity,
+                                       prt_vo_material *materials, int *material_count, prt_vo_indexed *out);
+PRTDEF prt_result prt_vo_index_diffuse(int count, const prt_vo_occluder *occluders, int capacity,
+                                       prt_vo_material *materials, int *material_count, prt_vo_indexed_diffuse *out);
+
+/* And back. Positions, normals and colours are the same bits (with the diffuse form, what it does not hold is 0),
+   factors within eps (4 eps in double), directions of length 1 within 2 eps of those that went in; a zero vector or
+   factor makes both zero, which shades alike (tests/test_vo.c). out must not overlap the inputs.
+   Errors: PRT_ERR_COUNT (count or material_count below 0, a material outside 0 ... material_count - 1); PRT_ERR_NULL. */
+PRTDEF prt_result prt_vo_expand        (int material_count, const prt_vo_material *materials, int count,
+                                        const prt_vo_indexed *indexed, prt_vo_occluder *out);
+PRTDEF prt_result prt_vo_expand_diffuse(int material_count, const prt_vo_material *materials, int count,
+                                        const prt_vo_indexed_diffuse *indexed, prt_vo_occluder *out);
+
+/* prt_vo_shade_n from indexed occluders, as if they were expanded first. With the second form caustics, DS and SS are
+   off whatever params says. Errors as of prt_vo_shade_n and prt_vo_expand. Cost: as of prt_vo_shade_n; with AVX-512 a
+   tenth more. Accuracy: 64 eps as there (tests/test_vo.c). */
+PRTDEF prt_result prt_vo_shade_indexed_n(const prt_vo_params *params, int count, const prt_vo_point *points,
+                                         prt_vec3 eye, const int *first, int material_count,
+                                         const prt_vo_material *materials, const prt_vo_indexed *indexed,
+                                         int light_count, const prt_point_light *lights, prt_rgb *out);
+PRTDEF prt_result prt_vo_shade_indexed_diffuse_n(const prt_vo_params *params, int count, const prt_vo_point *points,
+                                                 prt_vec3 eye, const int *first, int material_count,
+                                                 const prt_vo_material *materials,
+                                                 const prt_vo_indexed_diffuse *indexed, int light_count,
+                                                 const prt_point_light *lights, prt_rgb *out);
+
+/* Forms in which occluders are kept, and their bytes, `first` and materials (of indexed forms) included; 0 where a
+   count is below 0, the form none of these, or the sum too large for a size_t. 5013 points that see 5 occluders each
+   take 1.02 and 1.93 MB indexed, .52 and 1.02 MB packed, 2.63 MB plain (float, 10 materials; MB of 10^6 bytes). */
+typedef enum prt_vo_form {
+    PRT_VO_PLAIN = 0, PRT_VO_INDEXED, PRT_VO_INDEXED_DIFFUSE, PRT_VO_PACKED, PRT_VO_PACKED_DIFFUSE
+} prt_vo_form;
+PRTDEF size_t prt_vo_size(prt_vo_form form, int point_count, int occluder_count, int material_count);
 
 /* One train of plane waves [Sherif 2013, 7.3.2 and the shader of A.2]. */
 typedef struct prt_vo_wave {
@@ -6377,6 +6440,7 @@ PRT__STATIC prt_vec3 prt__reflect(prt_vec3 a, prt_vec3 n) {
 /* Parameters with the defaults in their places. */
 typedef struct prt__vo_law {
     prt_real shadow, caustic, least, gloss, dd, ds, ss, light_chord;
+    prt_real ss_rise;                  /* 1/ss_fade; 0: SS begins at once */
     unsigned off;
     int cap, gloss_power;              /* gloss_power: gloss if it is a small integer, else 0 */
 } prt__vo_law;
@@ -6400,6 +6464,7 @@ PRT__STATIC prt__vo_law prt__vo_law_of(const prt_vo_params *params) {
     law.dd = prt__or_default(params->dd, 1);
     law.ds = prt__or_default(params->ds, 1);
     law.ss = prt__or_default(params->ss, 1);
+    law.ss_rise = params->ss_fade > 0 ? prt__bounded(1 / params->ss_fade) : 0;
     law.off = params->off;
     law.cap = params->law == (int)PRT_VO_CAP;
     return law;
@@ -6563,10 +6628,13 @@ typedef struct prt__vo_seen_lanes {
    and the logarithm of that of opaque ones. */
 typedef struct prt__vo_light_lanes { prt__vec l[3], factor[3], log_block; } prt__vo_light_lanes;
 
-/* The zero occluder, for lanes whose point sees fewer than others; a point without anything, for lanes past the
-   last. */
+/* The zero occluder in each form, for lanes whose point sees fewer than others; a point without anything, for lanes
+   past the last. */
 static const prt_vo_occluder prt__vo_none = { { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 },
                                               { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 }, 0, 0 };
+static const prt_vo_indexed prt__vo_indexed_none = { { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 }, 0, { 0, 0, 0 },
+                                                     { 0, 0, 0 }, { 0, 0, 0 } };
+static const prt_vo_indexed_diffuse prt__vo_indexed_diffuse_none = { { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 }, 0 };
 static const prt_vo_point prt__vo_nowhere = { { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 }, 0 };
 static const uint32_t prt__vo_packed_none[PRT__VO_WORDS] = { 0 };
 
@@ -6738,25 +6806,82 @@ PRT__STATIC int prt__vo_pack_one(double unit, prt_vec3 at, const prt_vo_occluder
 
 /* ---- one point ---- */
 
+/* ---- indexed occluders ---- */
+
+/* In double, so that it is exact but for the rounding at the end. */
+PRT__STATIC prt_vec3 prt__vo_with_length(prt_vec3 v, prt_real factor) {
+    double length = prt__length3(v), scale = length > 0 ? (double)factor / length : 0;
+    return prt__vec3((prt_real)((double)v.x * scale), (prt_real)((double)v.y * scale), (prt_real)((double)v.z * scale));
+}
+PRT__STATIC prt_vec3 prt__vo_without_length(prt_vec3 v, prt_real *factor) {
+    double length = prt__length3(v);
+    *factor = (prt_real)length;
+    if (!(length > 0)) return prt__vec3(0, 0, 0);
+    return prt__vec3((prt_real)((double)v.x / length), (prt_real)((double)v.y / length),
+                     (prt_real)((double)v.z / length));
+}
+
+PRT__STATIC prt_vo_indexed_diffuse prt__vo_index_one(const prt_vo_occluder *o, int material) {
+    prt_vo_indexed_diffuse out;
+    memset(&out, 0, sizeof out);
+    out.position = o->position;
+    out.occlusion = prt__vo_with_length(o->occlusion, o->form_factor);
+    out.diffuse_normal = o->diffuse_normal;
+    out.material = material;
+    return out;
+}
+
+PRT__STATIC prt_vo_occluder prt__vo_expand_diffuse(const prt_vo_material *materials, const prt_vo_indexed_diffuse *in) {
+    prt_vo_occluder o;
+    memset(&o, 0, sizeof o);
+    o.position = in->position;
+    o.occlusion = prt__vo_without_length(in->occlusion, &o.form_factor);
+    o.diffuse_normal = in->diffuse_normal;
+    o.diffuse = materials[in->material].diffuse;
+    o.transmissive = materials[in->material].transmissive;
+    return o;
+}
+PRT__STATIC prt_vo_occluder prt__vo_expand(const prt_vo_material *materials, const prt_vo_indexed *in) {
+    prt_vo_occluder o;
+    o.position = in->position;
+    o.occlusion = prt__vo_without_length(in->occlusion, &o.form_factor);
+    o.caustic = prt__vo_without_length(in->caustic, &o.caustic_factor);
+    o.transmissive = in->transmissive;
+    o.diffuse_normal = in->diffuse_normal;
+    o.specular_normal = in->specular_normal;
+    o.diffuse = materials[in->material].diffuse;
+    o.specular = materials[in->material].specular;
+    return o;
+}
+
 /* Points and where their occluders stand: what prt_vo_shade_n and its kin were given. Packed occluders are rows of
-   `words` words; words 0: occluders are plain. */
+   `words` words. */
 typedef struct prt__vo_batch {
     prt__vo_law law;
     const prt_vo_point *points;
     const int *first;
+    prt_vo_form form;                  /* which of these there are: */
     const prt_vo_occluder *occluders;
+    const prt_vo_indexed *indexed;
+    const prt_vo_indexed_diffuse *indexed_diffuse;
     const uint32_t *packed;
-    int words;
+    int words, material_count;
+    const prt_vo_material *materials;
     prt_real unit;
     prt_vec3 eye;
     int light_count;
     const prt_point_light *lights;
 } prt__vo_batch;
 
-/* Occluder number `at` of the point; out is where one that is packed is unpacked. */
+/* Occluder number `at` of the point; out is where one that is not plain is unpacked. */
 PRT__INLINE const prt_vo_occluder *prt__vo_occluder_at(const prt__vo_batch *b, const prt_vo_point *p, int at,
                                                        prt_vo_occluder *out) {
-    if (b->words == 0) return b->occluders + at;
+    switch (b->form) {
+    case PRT_VO_PLAIN: return b->occluders + at;
+    case PRT_VO_INDEXED: *out = prt__vo_expand(b->materials, b->indexed + at); return out;
+    case PRT_VO_INDEXED_DIFFUSE: *out = prt__vo_expand_diffuse(b->materials, b->indexed_diffuse + at); return out;
+    default: break;
+    }
     prt__vo_unpack_rows(b->unit, p->position, 1, b->packed + (size_t)at * (size_t)b->words, b->words, out);
     return out;
 }
@@ -6778,7 +6903,7 @@ PRT__INLINE prt_real prt__cap_chord(prt_real f, prt_real cosine) {
 PRT__STATIC void prt__vo_see(const prt__vo_law *law, const prt_vo_point *p, prt_vec3 mirror, const prt_vo_occluder *o,
                              prt__vo_seen *s) {
     prt_vec3 v = prt__towards(p->position, o->position), n;
-    prt_real length, specular, lined_up;
+    prt_real length, specular, height, lined_up;
     s->position = o->position;
     s->occlusion = prt__direction(o->occlusion, &length);
     s->block = (law->off & PRT_VO_NO_SHADOW) || !(length > 0) ? 0 : prt__above0(o->form_factor);
@@ -6795,7 +6920,9 @@ PRT__STATIC void prt__vo_see(const prt__vo_law *law, const prt_vo_point *p, prt_
     s->ds = prt__rgb_scaled(prt__rgb_times(o->specular, p->diffuse), law->off & PRT_VO_NO_DS ? 0 : law->ds);
     s->ds = prt__rgb_scaled(s->ds, specular);
     s->ss_dir = prt__reflect(mirror, n);
-    lined_up = prt__bounded_dot(p->normal, v) > 0 ? prt__above0(prt__bounded_dot(mirror, v)) : 0;
+    height = prt__bounded_dot(p->normal, v);
+    lined_up = height > 0 ? prt__above0(prt__bounded_dot(mirror, v)) : 0;
+    if (law->ss_rise > 0 && height * law->ss_rise < 1) lined_up = prt__above0(lined_up * (height * law->ss_rise));
     s->ss = prt__rgb_scaled(prt__rgb_times(o->specular, p->specular), law->off & PRT_VO_NO_SS ? 0 : law->ss);
     s->ss = prt__rgb_scaled(prt__rgb_scaled(s->ss, specular), lined_up);
 }
@@ -6952,7 +7079,7 @@ PRT__INLINE prt__vec prt__vo_lanes_cap_open(prt__vec cap, prt_real light, prt__v
    diffuse and specular the colours of DD and DS. ss, ss_dir: those of SS; cap: the chord of the cap law. */
 PRT__INLINE void prt__vo_lanes_see(const prt__vo_law *law, prt__vo_lanes *p, prt__vo_seen_lanes *o, prt__vec *ss,
                                    prt__vec *ss_dir, prt__vec *cap) {
-    prt__vec zero = prt__vec_set(0), v[3], n[3], specular, square, lined_up;
+    prt__vec zero = prt__vec_set(0), v[3], n[3], specular, square, height, lined_up;
     int c;
     prt__vo_lanes_halve(o->position);
     square = prt__vec_unit(o->occlusion, &p->squares);
@@ -6975,8 +7102,12 @@ PRT__INLINE void prt__vo_lanes_see(const prt__vo_law *law, prt__vo_lanes *p, prt
     specular = prt__vec_root(prt__vec_unit(n, &p->squares));
     prt__vec_reflect(v, n, o->specular_normal);
     prt__vec_reflect(p->mirror, n, ss_dir);
-    lined_up = prt__vec_masked(prt__vec_less(zero, prt__vec_dot3(p->normal, v)),
-                               prt__vec_above0(prt__vec_dot3(p->mirror, v)));
+    height = prt__vec_dot3(p->normal, v);
+    lined_up = prt__vec_masked(prt__vec_less(zero, height), prt__vec_above0(prt__vec_dot3(p->mirror, v)));
+    if (law->ss_rise > 0) {
+        height *= law->ss_rise;
+        lined_up = prt__vec_select(prt__vec_less(height, prt__vec_set(1)), lined_up * height, lined_up);
+    }
     for (c = 0; c < 3; c++) {
         o->specular[c] *= specular * law->ds;
         ss[c] *= specular * lined_up * law->ss;
@@ -7064,26 +7195,74 @@ PRT__INLINE void prt__vo_lanes_light(prt__vo_lanes *p, const prt_point_light *li
     d->l[0] = prt__vec_select(prt__vec_less(prt__vec_set(0), square), d->l[0], prt__vec_set(4));
 }
 
+/* Nine numbers of every row, where a vector may be longer than a row. */
+PRT__INLINE void prt__lanes_load9(const prt_real *const *rows, prt__vec *out) {
+#if PRT__LANES <= 9
+    prt__lanes_load(rows, 9, out);
+#else
+    prt_real numbers[9][PRT__LANES];
+    int lane, i;
+    for (lane = 0; lane < PRT__LANES; lane++) for (i = 0; i < 9; i++) numbers[i][lane] = rows[lane][i];
+    for (i = 0; i < 9; i++) out[i] = prt__vec_load(numbers[i]);
+#endif
+}
+
+/* Indexed occluders side by side: number at[lane], or none where that is below 0. Directions keep their lengths, which
+   are the factors. */
+PRT__INLINE void prt__vo_lanes_expand(const prt__vo_batch *b, const int *at, prt__vo_seen_lanes *o) {
+    const prt_real *seen[PRT__LANES], *more[PRT__LANES], *colors[PRT__LANES];
+    prt__vec v[9];
+    int lane, full = b->form == PRT_VO_INDEXED;
+    for (lane = 0; lane < PRT__LANES; lane++) {
+        const prt_vo_indexed *i = at[lane] < 0 || !full ? &prt__vo_indexed_none : b->indexed + at[lane];
+        const prt_vo_indexed_diffuse *d = at[lane] < 0 || full ? &prt__vo_indexed_diffuse_none
+                                                               : b->indexed_diffuse + at[lane];
+        seen[lane] = full ? &i->position.x : &d->position.x;
+        more[lane] = &i->specular_normal.x;
+        colors[lane] = &b->materials[full ? i->material : d->material].diffuse.r;
+    }
+    memset(o, 0, sizeof *o);
+    prt__lanes_load9(seen, v);
+    memcpy(o->position, v, sizeof o->position);
+    memcpy(o->occlusion, v + 3, sizeof o->occlusion);
+    memcpy(o->diffuse_normal, v + 6, sizeof o->diffuse_normal);
+    o->form_factor = prt__vec_root(prt__vec_dot3(o->occlusion, o->occlusion));
+    prt__lanes_load9(colors, v);
+    memcpy(o->diffuse, v, sizeof o->diffuse);
+    memcpy(o->transmissive, v + 6, sizeof o->transmissive);
+    if (!full) return;
+    memcpy(o->specular, v + 3, sizeof o->specular);
+    prt__lanes_load9(more, v);
+    memcpy(o->specular_normal, v, sizeof o->specular_normal);
+    memcpy(o->caustic, v + 3, sizeof o->caustic);
+    memcpy(o->transmissive, v + 6, sizeof o->transmissive);
+    o->caustic_factor = prt__vec_root(prt__vec_dot3(o->caustic, o->caustic));
+}
+
 /* Occluder number k of each of the points from ... from+count-1. */
 PRT__INLINE void prt__vo_lanes_fetch(const prt__vo_batch *b, const prt__vo_lanes *p, int from, int count, int k,
                                      prt__vo_seen_lanes *o) {
     const prt_real *rows[PRT__LANES];
     const uint32_t *packed[PRT__LANES];
     prt__vec fields[PRT__VO_FIELDS];
-    int lane, c;
+    int at[PRT__LANES], lane, c;
     for (lane = 0; lane < PRT__LANES; lane++) {
         const int *first = b->first + from + lane;
-        int some = lane < count && k < first[1] - first[0];
-        rows[lane] = some && b->words == 0 ? &b->occluders[first[0] + k].position.x : &prt__vo_none.position.x;
-        packed[lane] = some && b->words ? b->packed + (size_t)(first[0] + k) * (size_t)b->words : prt__vo_packed_none;
+        at[lane] = lane < count && k < first[1] - first[0] ? first[0] + k : -1;
     }
-    if (b->words) {
+    if (b->form == PRT_VO_INDEXED || b->form == PRT_VO_INDEXED_DIFFUSE) {
+        prt__vo_lanes_expand(b, at, o);
+    } else if (b->form == PRT_VO_PLAIN) {
+        for (lane = 0; lane < PRT__LANES; lane++)
+            rows[lane] = at[lane] < 0 ? &prt__vo_none.position.x : &b->occluders[at[lane]].position.x;
+        prt__lanes_load(rows, PRT__VO_FIELDS, fields);
+        memcpy(o, fields, sizeof fields);
+    } else {
+        for (lane = 0; lane < PRT__LANES; lane++)
+            packed[lane] = at[lane] < 0 ? prt__vo_packed_none : b->packed + (size_t)at[lane] * (size_t)b->words;
         for (c = 0; c < 3; c++) fields[c] = p->position[c] * PRT__R(2);
         prt__vo_lanes_unpack(packed, b->words, b->unit, fields, o);
-        return;
     }
-    prt__lanes_load(rows, PRT__VO_FIELDS, fields);
-    memcpy(o, fields, sizeof fields);
 }
 
 PRT__INLINE void prt__vo_lanes_begin(const prt__vo_batch *b, int from, int count, prt__vo_lanes *p) {
@@ -7138,26 +7317,48 @@ PRT__STATIC void prt__vo_shade_lanes(const prt__vo_batch *b, int from, int count
     }
 }
 
+/* What belongs to the form of the occluders, of which there are some. */
+PRT__STATIC prt_result prt__vo_form_check(const prt__vo_batch *b, int from, int to) {
+    int k, material;
+    switch (b->form) {
+    case PRT_VO_PLAIN: return b->occluders ? PRT_OK : PRT_ERR_NULL;
+    case PRT_VO_PACKED: case PRT_VO_PACKED_DIFFUSE: return b->packed ? PRT_OK : PRT_ERR_NULL;
+    default: break;
+    }
+    if (!b->materials || (!b->indexed && !b->indexed_diffuse)) return PRT_ERR_NULL;
+    for (k = from; k < to; k++) {
+        material = b->indexed ? b->indexed[k].material : b->indexed_diffuse[k].material;
+        if (material < 0 || material >= b->material_count) return PRT_ERR_COUNT;
+    }
+    return PRT_OK;
+}
+
 /* The checks and the loop of all batched forms; b holds everything but the law. */
 PRT__STATIC prt_result prt__vo_shade_batch(const prt_vo_params *params, prt__vo_batch *b, int count, prt_rgb *out) {
+    prt_result r = PRT_OK;
     int k;
-    if (count < 0 || b->light_count < 0) return PRT_ERR_COUNT;
+    if (count < 0 || b->light_count < 0 || b->material_count < 0) return PRT_ERR_COUNT;
     if (!params || (count > 0 && (!b->points || !b->first || !out)) || (b->light_count > 0 && !b->lights))
         return PRT_ERR_NULL;
     for (k = 0; k < count; k++) if (b->first[k] < 0 || b->first[k + 1] < b->first[k]) return PRT_ERR_COUNT;
-    if (count > 0 && b->first[count] > b->first[0] && !b->packed && !b->occluders) return PRT_ERR_NULL;
+    if (count > 0 && b->first[count] > b->first[0]) r = prt__vo_form_check(b, b->first[0], b->first[count]);
+    if (r != PRT_OK) return r;
     if (b->words && !(b->unit > 0 && prt__finite(b->unit))) return PRT_ERR_VALUE;
     b->law = prt__vo_law_of(params);
-    if (b->words == PRT__VO_WORDS_DIFFUSE) b->law.off |= PRT_VO_NO_CAUSTIC | PRT_VO_NO_DS | PRT_VO_NO_SS;
+    if (b->form == PRT_VO_PACKED_DIFFUSE || b->form == PRT_VO_INDEXED_DIFFUSE)
+        b->law.off |= PRT_VO_NO_CAUSTIC | PRT_VO_NO_DS | PRT_VO_NO_SS;
     for (k = 0; k < count; k += PRT__LANES)
         prt__vo_shade_lanes(b, k, count - k < PRT__LANES ? count - k : PRT__LANES, out + k);
     return PRT_OK;
 }
 
-PRT__STATIC prt__vo_batch prt__vo_batch_of(const prt_vo_point *points, prt_vec3 eye, const int *first, int light_count,
-                                           const prt_point_light *lights) {
+PRT__STATIC prt__vo_batch prt__vo_batch_of(prt_vo_form form, const prt_vo_point *points, prt_vec3 eye, const int *first,
+                                           int light_count, const prt_point_light *lights) {
     prt__vo_batch b;
     memset(&b, 0, sizeof b);
+    b.form = form;
+    b.words = form == PRT_VO_PACKED ? (int)PRT__VO_WORDS : form == PRT_VO_PACKED_DIFFUSE ? (int)PRT__VO_WORDS_DIFFUSE
+                                                                                         : 0;
     b.points = points;
     b.eye = eye;
     b.first = first;
@@ -7175,7 +7376,7 @@ PRTDEF prt_result prt_vo_shade(const prt_vo_params *params, const prt_vo_point *
     if (!params || !point || !out) return PRT_ERR_NULL;
     if ((occluder_count > 0 && !occluders) || (light_count > 0 && !lights)) return PRT_ERR_NULL;
     first[0] = 0; first[1] = occluder_count;
-    b = prt__vo_batch_of(point, eye, first, light_count, lights);
+    b = prt__vo_batch_of(PRT_VO_PLAIN, point, eye, first, light_count, lights);
     b.law = prt__vo_law_of(params);
     b.occluders = occluders;
     *out = prt__vo_shade(&b, 0);
@@ -7185,7 +7386,7 @@ PRTDEF prt_result prt_vo_shade(const prt_vo_params *params, const prt_vo_point *
 PRTDEF prt_result prt_vo_shade_n(const prt_vo_params *params, int count, const prt_vo_point *points, prt_vec3 eye,
                                  const int *first, const prt_vo_occluder *occluders,
                                  int light_count, const prt_point_light *lights, prt_rgb *out) {
-    prt__vo_batch b = prt__vo_batch_of(points, eye, first, light_count, lights);
+    prt__vo_batch b = prt__vo_batch_of(PRT_VO_PLAIN, points, eye, first, light_count, lights);
     b.occluders = occluders;
     return prt__vo_shade_batch(params, &b, count, out);
 }
@@ -7237,9 +7438,8 @@ PRTDEF prt_result prt_vo_shade_packed_n(const prt_vo_params *params, prt_real un
                                         const prt_vo_point *points, prt_vec3 eye, const int *first,
                                         const prt_vo_packed *packed,
                                         int light_count, const prt_point_light *lights, prt_rgb *out) {
-    prt__vo_batch b = prt__vo_batch_of(points, eye, first, light_count, lights);
+    prt__vo_batch b = prt__vo_batch_of(PRT_VO_PACKED, points, eye, first, light_count, lights);
     b.packed = packed ? packed->word : NULL;
-    b.words = PRT__VO_WORDS;
     b.unit = unit;
     return prt__vo_shade_batch(params, &b, count, out);
 }
@@ -7248,11 +7448,156 @@ PRTDEF prt_result prt_vo_shade_packed_diffuse_n(const prt_vo_params *params, prt
                                                 const prt_vo_point *points, prt_vec3 eye, const int *first,
                                                 const prt_vo_packed_diffuse *packed, int light_count,
                                                 const prt_point_light *lights, prt_rgb *out) {
-    prt__vo_batch b = prt__vo_batch_of(points, eye, first, light_count, lights);
+    prt__vo_batch b = prt__vo_batch_of(PRT_VO_PACKED_DIFFUSE, points, eye, first, light_count, lights);
     b.packed = packed ? packed->word : NULL;
-    b.words = PRT__VO_WORDS_DIFFUSE;
     b.unit = unit;
     return prt__vo_shade_batch(params, &b, count, out);
+}
+
+PRTDEF prt_result prt_vo_shade_indexed_n(const prt_vo_params *params, int count, const prt_vo_point *points,
+                                         prt_vec3 eye, const int *first, int material_count,
+                                         const prt_vo_material *materials, const prt_vo_indexed *indexed,
+                                         int light_count, const prt_point_light *lights, prt_rgb *out) {
+    prt__vo_batch b = prt__vo_batch_of(PRT_VO_INDEXED, points, eye, first, light_count, lights);
+    b.material_count = material_count;
+    b.materials = materials;
+    b.indexed = indexed;
+    return prt__vo_shade_batch(params, &b, count, out);
+}
+
+PRTDEF prt_result prt_vo_shade_indexed_diffuse_n(const prt_vo_params *params, int count, const prt_vo_point *points,
+                                                 prt_vec3 eye, const int *first, int material_count,
+                                                 const prt_vo_material *materials,
+                                                 const prt_vo_indexed_diffuse *indexed, int light_count,
+                                                 const prt_point_light *lights, prt_rgb *out) {
+    prt__vo_batch b = prt__vo_batch_of(PRT_VO_INDEXED_DIFFUSE, points, eye, first, light_count, lights);
+    b.material_count = material_count;
+    b.materials = materials;
+    b.indexed_diffuse = indexed;
+    return prt__vo_shade_batch(params, &b, count, out);
+}
+
+PRT__STATIC int prt__rgb_same(prt_rgb a, prt_rgb b) {
+    return !(a.r < b.r || a.r > b.r || a.g < b.g || a.g > b.g || a.b < b.b || a.b > b.b);
+}
+
+/* What the form keeps of the occluder's colours. */
+PRT__STATIC prt_vo_material prt__vo_material_of(const prt_vo_occluder *o, int full) {
+    static const prt_rgb black = { 0, 0, 0 };
+    prt_vo_material m;
+    m.diffuse = o->diffuse;
+    m.specular = full ? o->specular : black;
+    m.transmissive = full ? black : o->transmissive;
+    return m;
+}
+
+/* The number of the material, the one before it (`guess`) tried first; appended where it is new, -1 without room. */
+PRT__STATIC int prt__vo_find_material(const prt_vo_material *wanted, int guess, int capacity,
+                                      prt_vo_material *materials, int *count) {
+    int k, at;
+    for (k = -1; k < *count; k++) {
+        at = k < 0 ? guess : k;
+        if (at < *count && prt__rgb_same(materials[at].diffuse, wanted->diffuse) &&
+            prt__rgb_same(materials[at].specular, wanted->specular) &&
+            prt__rgb_same(materials[at].transmissive, wanted->transmissive)) return at;
+    }
+    if (*count >= capacity) return -1;
+    materials[*count] = *wanted;
+    return (*count)++;
+}
+
+PRT__STATIC int prt__vo_factor_ok(prt_real f) { return f >= 0 && (double)f <= 1e15; }                 /* not NaN */
+PRT__STATIC int prt__finite_rgb(prt_rgb c) { return prt__finite(c.r) && prt__finite(c.g) && prt__finite(c.b); }
+PRT__STATIC int prt__vo_can_be_indexed(const prt_vo_occluder *o, int full) {
+    if (!prt__finite3(o->position) || !prt__finite3(o->occlusion) || !prt__finite3(o->diffuse_normal) ||
+        !prt__finite_rgb(o->diffuse) || !prt__finite_rgb(o->transmissive) || !prt__vo_factor_ok(o->form_factor))
+        return 0;
+    return !full || (prt__finite3(o->specular_normal) && prt__finite3(o->caustic) && prt__finite_rgb(o->specular) &&
+                     prt__vo_factor_ok(o->caustic_factor));
+}
+
+/* Both forms of indexing; one of full and diffuse is NULL. */
+PRT__STATIC prt_result prt__vo_index(int count, const prt_vo_occluder *occluders, int capacity,
+                                     prt_vo_material *materials, int *material_count, prt_vo_indexed *full,
+                                     prt_vo_indexed_diffuse *diffuse) {
+    int k, at = 0, made, pass;
+    if (count < 0 || capacity < 0) return PRT_ERR_COUNT;
+    if (!material_count || (capacity > 0 && !materials) || (count > 0 && (!occluders || (!full && !diffuse))))
+        return PRT_ERR_NULL;
+    if (*material_count < 0 || *material_count > capacity) return PRT_ERR_COUNT;
+    for (k = 0; k < count; k++) if (!prt__vo_can_be_indexed(&occluders[k], full != NULL)) return PRT_ERR_VALUE;
+    for (pass = 0, made = *material_count; pass < 2; pass++) {             /* first whether there is room, then out */
+        for (k = 0; k < count; k++) {
+            prt_vo_material m = prt__vo_material_of(&occluders[k], full != NULL);
+            prt_vo_indexed_diffuse one;
+            at = prt__vo_find_material(&m, at, capacity, materials, &made);
+            if (at < 0) return PRT_ERR_CAPACITY;
+            if (pass == 0) continue;
+            one = prt__vo_index_one(&occluders[k], at);
+            if (!full) { diffuse[k] = one; continue; }
+            full[k].position = one.position;
+            full[k].occlusion = one.occlusion;
+            full[k].diffuse_normal = one.diffuse_normal;
+            full[k].material = at;
+            full[k].specular_normal = occluders[k].specular_normal;
+            full[k].caustic = prt__vo_with_length(occluders[k].caustic, occluders[k].caustic_factor);
+            full[k].transmissive = occluders[k].transmissive;
+        }
+    }
+    *material_count = made;
+    return PRT_OK;
+}
+
+PRTDEF prt_result prt_vo_index(int count, const prt_vo_occluder *occluders, int capacity, prt_vo_material *materials,
+                               int *material_count, prt_vo_indexed *out) {
+    if (count > 0 && !out) return PRT_ERR_NULL;
+    return prt__vo_index(count, occluders, capacity, materials, material_count, out, NULL);
+}
+
+PRTDEF prt_result prt_vo_index_diffuse(int count, const prt_vo_occluder *occluders, int capacity,
+                                       prt_vo_material *materials, int *material_count, prt_vo_indexed_diffuse *out) {
+    return prt__vo_index(count, occluders, capacity, materials, material_count, NULL, out);
+}
+
+/* Both forms of expanding; `full` or `diffuse` is given, as the form says. */
+PRT__STATIC prt_result prt__vo_expand_rows(prt_vo_form form, int material_count, const prt_vo_material *materials,
+                                           int count, const prt_vo_indexed *full, const prt_vo_indexed_diffuse *diffuse,
+                                           prt_vo_occluder *out) {
+    prt__vo_batch b = prt__vo_batch_of(form, NULL, prt__vec3(0, 0, 0), NULL, 0, NULL);
+    prt_result r;
+    int k;
+    if (count < 0 || material_count < 0) return PRT_ERR_COUNT;
+    if (count == 0) return PRT_OK;
+    if (!out) return PRT_ERR_NULL;
+    b.material_count = material_count;
+    b.materials = materials;
+    b.indexed = full;
+    b.indexed_diffuse = diffuse;
+    r = prt__vo_form_check(&b, 0, count);
+    for (k = 0; r == PRT_OK && k < count; k++) prt__vo_occluder_at(&b, NULL, k, &out[k]);
+    return r;
+}
+
+PRTDEF prt_result prt_vo_expand(int material_count, const prt_vo_material *materials, int count,
+                                const prt_vo_indexed *indexed, prt_vo_occluder *out) {
+    return prt__vo_expand_rows(PRT_VO_INDEXED, material_count, materials, count, indexed, NULL, out);
+}
+
+PRTDEF prt_result prt_vo_expand_diffuse(int material_count, const prt_vo_material *materials, int count,
+                                        const prt_vo_indexed_diffuse *indexed, prt_vo_occluder *out) {
+    return prt__vo_expand_rows(PRT_VO_INDEXED_DIFFUSE, material_count, materials, count, NULL, indexed, out);
+}
+
+PRTDEF size_t prt_vo_size(prt_vo_form form, int point_count, int occluder_count, int material_count) {
+    static const size_t each[5] = { sizeof(prt_vo_occluder), sizeof(prt_vo_indexed), sizeof(prt_vo_indexed_diffuse),
+                                    sizeof(prt_vo_packed), sizeof(prt_vo_packed_diffuse) };
+    int with_materials = form == PRT_VO_INDEXED || form == PRT_VO_INDEXED_DIFFUSE;
+    double bytes;                      /* exact below 2^53, and no size_t of ours is larger */
+    if ((unsigned)form > (unsigned)PRT_VO_PACKED_DIFFUSE || point_count < 0 || occluder_count < 0 || material_count < 0)
+        return 0;
+    bytes = ((double)point_count + 1) * (double)sizeof(int) + (double)each[form] * occluder_count;
+    if (with_materials) bytes += (double)material_count * (double)sizeof(prt_vo_material);
+    return bytes <= (double)(SIZE_MAX / 2) ? (size_t)bytes : 0;
 }
 
 /* v turned about the unit vector `axis` by the angle of which sine and cosine are given (Rodrigues). */

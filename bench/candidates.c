@@ -42,7 +42,7 @@ static const int y_up[3] = { 1, -3, 2 };
 static const prt_real quarter[4] = { (prt_real)0.5, (prt_real)0.5, (prt_real)-0.5, (prt_real)0.5 };
 static double one(void *user, prt_vec3 dir) { (void)user; (void)dir; return 1; }
 /* Points that see VO_SEEN occluders each, and lights, all at random; opaque. Packed forms beside them. */
-enum { VO_POINTS = 1024, VO_SEEN = 5, VO_LIGHTS = 32 };
+enum { VO_POINTS = 1024, VO_SEEN = 5, VO_LIGHTS = 32, VO_COLORS = 6 };
 typedef struct vo_scene {
     prt_vo_params dd, all;
     prt_vo_point points[VO_POINTS];
@@ -50,6 +50,10 @@ typedef struct vo_scene {
     prt_vo_occluder occluders[VO_POINTS * VO_SEEN];
     prt_vo_packed packed[VO_POINTS * VO_SEEN];
     prt_vo_packed_diffuse packed_diffuse[VO_POINTS * VO_SEEN];
+    prt_vo_indexed indexed[VO_POINTS * VO_SEEN];
+    prt_vo_indexed_diffuse indexed_diffuse[VO_POINTS * VO_SEEN];
+    prt_vo_material materials[VO_COLORS], materials_diffuse[VO_COLORS];
+    int material_count, material_count_diffuse;
     prt_point_light lights[VO_LIGHTS];
     prt_vo_wave waves[2];
 } vo_scene;
@@ -76,7 +80,14 @@ static const vo_scene *vo_scene_of(void) {
         vo_fill(&s.occluders[k].position.x, 6, -3, 3);
         vo_fill(&s.occluders[k].diffuse_normal.x, 6, (prt_real)-.5, (prt_real).5);
         vo_fill(&s.occluders[k].diffuse.r, 7, 0, 1);
+        if (k >= VO_COLORS) {
+            s.occluders[k].diffuse = s.occluders[k % VO_COLORS].diffuse;
+            s.occluders[k].specular = s.occluders[k % VO_COLORS].specular;
+        }
     }
+    prt_vo_index(VO_POINTS * VO_SEEN, s.occluders, VO_COLORS, s.materials, &s.material_count, s.indexed);
+    prt_vo_index_diffuse(VO_POINTS * VO_SEEN, s.occluders, VO_COLORS, s.materials_diffuse, &s.material_count_diffuse,
+                         s.indexed_diffuse);
     for (k = 0; k < VO_POINTS; k++) {
         prt_vo_pack(1, s.points[k].position, VO_SEEN, s.occluders + s.first[k], s.packed + s.first[k]);
         prt_vo_pack_diffuse(1, s.points[k].position, VO_SEEN, s.occluders + s.first[k],

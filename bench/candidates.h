@@ -246,6 +246,9 @@ BATCH(vo_dd_n,      "vo_dd",    "prt_vo_shade_n",       LIT, VO_POINTS,
 BATCH(vo_dd_packed, "vo_dd",    "prt_vo_shade_packed_diffuse_n", LIT, VO_POINTS,
       prt_vo_shade_packed_diffuse_n(&VO->dd, 1, items, VO->points, VO_EYE, VO->first, VO->packed_diffuse, n,
       VO->lights, VO_RGB), VO_FLOPS(130, 65), 16 + 20.0 / sizeof(prt_real) * VO_SEEN, 3)
+BATCH(vo_dd_indexed, "vo_dd",   "prt_vo_shade_indexed_diffuse_n", LIT, VO_POINTS,
+      prt_vo_shade_indexed_diffuse_n(&VO->dd, items, VO->points, VO_EYE, VO->first, VO->material_count_diffuse,
+      VO->materials_diffuse, VO->indexed_diffuse, n, VO->lights, VO_RGB), VO_FLOPS(65, 65), 16 + 10 * VO_SEEN, 3)
 EACH (vo_all_one,   "vo_all",   "prt_vo_shade, point after point", LIT, VO_POINTS,
       prt_vo_shade(&VO->all, VO->points + k, VO_EYE, VO_SEEN, VO->occluders + k * VO_SEEN, n, VO->lights, VO_RGB),
       VO_FLOPS(155, 97), 16 + 26 * VO_SEEN, 3)
@@ -255,6 +258,9 @@ BATCH(vo_all_n,     "vo_all",   "prt_vo_shade_n",       LIT, VO_POINTS,
 BATCH(vo_all_packed, "vo_all",  "prt_vo_shade_packed_n", LIT, VO_POINTS,
       prt_vo_shade_packed_n(&VO->all, 1, items, VO->points, VO_EYE, VO->first, VO->packed, n, VO->lights, VO_RGB),
       VO_FLOPS(290, 97), 16 + 40.0 / sizeof(prt_real) * VO_SEEN, 3)
+BATCH(vo_all_indexed, "vo_all", "prt_vo_shade_indexed_n", LIT, VO_POINTS,
+      prt_vo_shade_indexed_n(&VO->all, items, VO->points, VO_EYE, VO->first, VO->material_count, VO->materials,
+      VO->indexed, n, VO->lights, VO_RGB), VO_FLOPS(165, 97), 16 + 19 * VO_SEEN, 3)
 #define VO_POINT VO->points[k].position
 EACH (vo_pack,      "vo_pack",  "prt_vo_pack, 5 occluders", "0", VO_POINTS,
       prt_vo_pack(1, VO_POINT, VO_SEEN, VO->occluders + k * VO_SEEN, (prt_vo_packed *)data->out), 0,
@@ -268,6 +274,20 @@ EACH (vo_unpack,    "vo_pack",  "prt_vo_unpack, 5 occluders", "0", VO_POINTS,
 EACH (vo_unpack_dd, "vo_pack",  "prt_vo_unpack_diffuse, 5 occluders", "0", VO_POINTS,
       prt_vo_unpack_diffuse(1, VO_POINT, VO_SEEN, VO->packed_diffuse + k * VO_SEEN, (prt_vo_occluder *)OUT), 0,
       3 + 20.0 * VO_SEEN / sizeof(prt_real), 26 * VO_SEEN)
+EACH (vo_index,     "vo_index", "prt_vo_index, 5 occluders", "0", VO_POINTS,
+      int made = 0; prt_vo_index(VO_SEEN, VO->occluders + k * VO_SEEN, VO_COLORS, (prt_vo_material *)OUT, &made,
+      (prt_vo_indexed *)((prt_vo_material *)OUT + VO_COLORS)), 0, 26 * VO_SEEN, 19 * VO_SEEN)
+EACH (vo_index_dd,  "vo_index", "prt_vo_index_diffuse, 5 occluders", "0", VO_POINTS,
+      int made = 0; prt_vo_index_diffuse(VO_SEEN, VO->occluders + k * VO_SEEN, VO_COLORS, (prt_vo_material *)OUT, &made,
+      (prt_vo_indexed_diffuse *)((prt_vo_material *)OUT + VO_COLORS)), 0, 26 * VO_SEEN, 10 * VO_SEEN)
+EACH (vo_expand,    "vo_index", "prt_vo_expand, 5 occluders", "0", VO_POINTS,
+      prt_vo_expand(VO->material_count, VO->materials, VO_SEEN, VO->indexed + k * VO_SEEN, (prt_vo_occluder *)OUT), 0,
+      19 * VO_SEEN, 26 * VO_SEEN)
+EACH (vo_expand_dd, "vo_index", "prt_vo_expand_diffuse, 5 occluders", "0", VO_POINTS,
+      prt_vo_expand_diffuse(VO->material_count_diffuse, VO->materials_diffuse, VO_SEEN,
+      VO->indexed_diffuse + k * VO_SEEN, (prt_vo_occluder *)OUT), 0, 10 * VO_SEEN, 26 * VO_SEEN)
+EACH (vo_size,      "vo_size",  "prt_vo_size", "0", 64,
+      *(size_t *)data->out = prt_vo_size(PRT_VO_INDEXED, k, 5 * k, 6), 0, 0, 2)
 EACH (vo_bend,      "vo_bend",  "prt_vo_bend, 5 occluders, 2 waves", "0", VO_POINTS,
       prt_vo_bend(2, VO->waves, 1, VO_POINT, VO_SEEN, VO->occluders + k * VO_SEEN, (prt_vo_occluder *)OUT),
       2 * 20 + 2 * 30 * VO_SEEN, 3 + 26 * VO_SEEN, 26 * VO_SEEN)
