@@ -20,11 +20,13 @@
      3. prt_bake_transfer          rays in, transfer out: points[k] -> transfer[k][bands^2]; any part of the points at a
                                    time, in any thread, process or machine, with the same bits
      4. prt_bake_error             of two bakes with different seeds: their mean, and its standard error at each point
-     5. prt_shade_diffuse (prt.h)  transfer and light -> exit radiance, at run time
+     5. prt_bake_bounces           where light that other surfaces reflect matters: interreflection, added to transfer
+     6. prt_shade_diffuse (prt.h)  transfer and light -> exit radiance, at run time; prt_shade_diffuse_rgb after
+                                   interreflection between coloured surfaces
      For moving occluders (prt_fiv_shade): prt_fiv_distances, prt_bake_fiv_table, prt_bake_fiv_inside, prt_bake_fiv_total.
      For vector occluders (prt_vo_shade) instead: prt_bake_vo_ao, prt_bake_vo, prt_vo_compact.
-     Rooms, by the tag to grep for: >>types, >>sample point sets, >>point bake points, >>direct transfer, >>fiv fullsphere
-     irradiance vectors, >>vo vector occluders, >>measure what a scene requires.
+     Rooms, by the tag to grep for: >>types, >>sample point sets, >>point bake points, >>direct transfer, >>bounce
+     interreflection, >>fiv fullsphere irradiance vectors, >>vo vector occluders, >>measure what a scene requires.
 
    A COMPLETE EXAMPLE
      #include <stdio.h>
@@ -73,10 +75,11 @@
      - Return 0. Anything else ends the bake with PRT_ERR_TRACE; points finished before stay valid.
      - It is called in the thread that called the bake; with several threads it must allow concurrent calls.
      - user is handed through untouched.
-     prt_tracer.closest, for prt_bake_vo, says what each ray meets first between tmin and tmax, by the same rules:
+     prt_tracer.closest, for prt_bake_bounce and prt_bake_vo, says what each ray meets first between tmin and tmax, by
+     the same rules:
      - hits[k].object is -1 on entry; leave it so where nothing is met. Else fill all of hits[k]: normals point outward
-       from closed objects, whichever side is met. object is an index into prt_vo_desc.objects; primitive, u and v are read
-       where that object has groups or triangles.
+       from closed objects, whichever side is met. object is an index into the objects of the desc; primitive, u and v
+       are read where that object has groups or triangles.
      - A batch holds rays of one point: feelers, by PRT_BAKE_BATCH, and then those that follow from their hits.
 
    THREADS
@@ -93,11 +96,14 @@
 
    LIMITS
      Scratch memory of a call (prt_bake_scratch_size): 53 KiB at 5 bands, 77 at 10, 400 to 590 at 64 by vector width
-     (float; double: 104, 147, 634). Of prt_bake_vo: 166 KiB (double: 267) and 164 bytes for each occluder of the scene.
+     (float; double: 104, 147, 634). Of prt_bake_bounce: 78 KiB at 5 bands, 125 at 64 (double: 147, 210), and with
+     three planes 221 (338). Of prt_bake_vo: 166 KiB (double: 267) and 164 bytes for each occluder of the scene.
      points and rays a point are int; their product may exceed it.
 
    REFERENCES (beside those of prt.h)
      [Burley 2020]     Burley: Practical Hash-based Owen Scrambling. JCGT 9(4), 2020
+     [Chen 2005]       Chen: A Real-Time Global Illumination Algorithm based on Pre-Computed Radiance Transfer. MSc
+                       thesis, National Chiao Tung University, 2005
      [Cranley 1976]    Cranley, Patterson: Randomization of Number Theoretic Methods for Multiple Integration. 1976
      [Duff 2017]       Duff et al.: Building an Orthonormal Basis, Revisited. JCGT 6(1), 2017
      [Marques 2013]    Marques et al.: Spherical Fibonacci Point Sets for Illumination Integrals. CGF 32(8), 2013
@@ -262,6 +268,91 @@ PRTDEF prt_result prt_bake_transfer(const prt_bake_desc *desc, int point_count, 
    Errors: PRT_ERR_BANDS; PRT_ERR_COUNT; PRT_ERR_NULL (a or b with point_count > 0). Cost: one pass over both. */
 PRTDEF prt_result prt_bake_error(int bands, int point_count, const prt_real *a, const prt_real *b, prt_real *mean,
                                  prt_real *error);
+
+/* ------------------------------------------------------------------------------------------------ >>bounce ---- */
+
+/* Light that reaches a point by way of other diffuse surfaces [Sloan 2002, 5.2; Sherif 2013, 6.2; Chen 2005, equations
+   2, 3]. Exit radiance at a point is albedo * sum_i (T0 + T1 + T2 + ...)_i L_i, with T0 from prt_bake_transfer and
+
+     T(k)_i(x) = (1/pi) int max(0, N.w) albedo(y) T(k-1)_i(y) dw,  y = what the ray from x in direction w meets first,
+
+   one further bounce each: what y reflects of the light L is albedo(y) T(k-1)(y).L. The albedo of x itself is left to
+   shading. Each bounce is computed from the one before it alone (Jacobi), never in place, so no order plays a role. */
+typedef struct prt_bounce_object {     /* zero-initialise: reflects nothing */
+    int triangle_count;                /* prt_hit.primitive is below it where the object reflects */
+    const uint32_t *triangles;         /* [triangle_count][3] corners of each primitive; NULL: reflects nothing */
+    int first_point;                   /* row of corner 0 in `points`, added to each corner */
+    int back_offset;                   /* 0: the back of a face (normal along the ray) is black, as inside closed
+                                          objects. Else a sheet: the row of each corner's back, a point of its own with
+                                          the normal reversed, lies so many rows further on (less: negative) */
+    prt_rgb albedo;                    /* 0 ... 1 */
+    const prt_rgb *albedos;            /* of each corner, by its number in triangles; times albedo. NULL: 1 */
+} prt_bounce_object;
+
+typedef struct prt_bounce_desc {       /* zero-initialise; 0 means the default in brackets */
+    int bands;                         /* [5] */
+    int samples;                       /* rays a point [1024] */
+    uint64_t seed;
+    prt_real bias, scene_radius;       /* as in prt_bake_desc */
+    int planes;                        /* of what is written: 1, or 3 for r, g, b [prt_bounce_planes] */
+    int previous_planes;               /* of what is read: 1, or 3 if planes is [1] */
+    int object_count;
+    const prt_bounce_object *objects;  /* [object_count], by prt_hit.object */
+    const prt_tracer *tracer;          /* required, with `closest` */
+    prt_progress progress; void *progress_user;
+} prt_bounce_desc;
+
+/* The planes that interreflection among these objects needs: 1 while all albedos are grey (r = g = b), for then one
+   transfer vector serves all channels; 3 as soon as one is coloured. NULL: 1. Cost: a pass over triangles and albedos. */
+PRTDEF int prt_bounce_planes(int object_count, const prt_bounce_object *objects);
+
+/* Bytes of [point_count][planes][bands^2] numbers; 0 if an argument is out of range or a size_t does not hold it. */
+PRTDEF size_t prt_bounce_size(int bands, int planes, int point_count);
+
+/* Bytes that prt_bake_bounce takes from PRT_MALLOC, in one piece; 0 if desc is NULL, or bands or planes are out of
+   range. */
+PRTDEF size_t prt_bake_bounce_scratch_size(const prt_bounce_desc *desc);
+
+/* One further bounce at points[first ... first+count-1], from `previous`, the transfer of the bounce before at all
+   points: previous[point_count][previous_planes][bands^2] (T0 at first), to the same rows of
+   out[point_count][planes][bands^2]; no other row is touched. out must not overlap previous.
+
+   T(k) = (1/samples) sum over the rays that hit of albedo * T(k-1), both interpolated between the corners of the
+   face. Rays are those of prt_bake_transfer of the same samples and seed, so that its open rays and the hits here
+   add up to all: in a white furnace (L = 1, albedos 1) the bounces add up to what exactly was missing.
+
+   The bits of a row depend on desc, previous, its point and its index alone. Errors, before anything is written:
+   PRT_ERR_NULL (desc); PRT_ERR_BANDS; PRT_ERR_COUNT (samples < 0; planes or previous_planes not 0, 1 or 3, or planes
+   below previous_planes; object_count or a triangle_count < 0; a corner whose row, or its back's, is none of the
+   points; a range as in prt_bake_transfer); PRT_ERR_CAPACITY; PRT_ERR_NULL (points, previous or out with
+   count > 0; objects with object_count > 0; tracer or its `closest`); PRT_ERR_VALUE (an albedo outside 0 ... 1, or
+   coloured where planes is 1; bias, scene_radius, points as in prt_bake_transfer); PRT_ERR_MEMORY. Then PRT_ERR_TRACE,
+   when the callback fails or returns a hit that cannot be: an unknown object, t below 0, a normal that is not unit
+   within 1e-3; at objects that reflect also a primitive out of range, u, v or u + v outside 0 ... 1 by more than 1e-3;
+   numbers that are not finite; and PRT_ERR_CANCELLED. Points finished before stay valid. previous is not checked.
+   Accuracy: as prt_bake_transfer's by rays (docs/bounce.md); interpolation assumes that T changes little across a face.
+   Cost: one closest-hit ray a sample, and 3 planes bands^2 multiply-adds a hit. */
+PRTDEF prt_result prt_bake_bounce(const prt_bounce_desc *desc, int point_count, const prt_point *points,
+                                  const prt_real *previous, int first, int count, prt_real *out);
+
+/* total += bounce, [point_count][total_planes or bounce_planes][bands^2]; one plane is added to each of three.
+   *strength (may be NULL) = 2 sqrt(pi) times the largest T_0 of the bounce, over points and planes: what it can add at
+   most to exit radiance at albedo 1, anywhere, under any light 0 <= L <= 1 (before that is cut to its bands). If no
+   albedo exceeds a, all further bounces together add at most strength a/(1-a).
+   Errors: PRT_ERR_BANDS; PRT_ERR_COUNT (point_count < 0, planes other than 1 or 3, fewer in total than in bounce);
+   PRT_ERR_NULL (point_count > 0). total may be bounce. Cost: one pass. */
+PRTDEF prt_result prt_bounce_add(int bands, int point_count, int bounce_planes, const prt_real *bounce,
+                                 int total_planes, prt_real *total, prt_real *strength);
+
+/* T0 and up to `bounces` bounces in one call: direct[point_count][previous_planes][bands^2] to
+   total[point_count][planes][bands^2], which may be direct where both have as many planes. Stops after a bounce whose
+   strength (prt_bounce_add) is at most `least`, >= 0. *made (may be NULL) receives the bounces made, also after
+   PRT_ERR_CANCELLED and PRT_ERR_TRACE, when total holds T0 and the bounces that were completed. 0 bounces: total is T0.
+   To share the work among threads, call prt_bake_bounce on ranges and prt_bounce_add in this order instead.
+   Errors: as prt_bake_bounce; PRT_ERR_COUNT (bounces < 0); PRT_ERR_CAPACITY (bounces point_count exceeds an int);
+   PRT_ERR_VALUE (least). progress counts points of all bounces. Memory: two further transfers, from PRT_MALLOC. */
+PRTDEF prt_result prt_bake_bounces(const prt_bounce_desc *desc, int bounces, prt_real least, int point_count,
+                                   const prt_point *points, const prt_real *direct, prt_real *total, int *made);
 
 /* --------------------------------------------------------------------------------------------------- >>fiv ---- */
 
@@ -1203,6 +1294,372 @@ PRTDEF prt_result prt_bake_error(int bands, int point_count, const prt_real *a, 
         if (error) error[k] = (prt_real)(sqrt(square) / 2);
     }
     return PRT_OK;
+}
+
+/* ------------------------------------------------------------------------------------------------ >>bounce ---- */
+
+/* Closest-hit rays go out in batches of one point. */
+enum { PRT__POINT_BATCH = PRT_BAKE_BATCH / PRT__BLOCK * PRT__BLOCK };
+
+typedef struct prt__feelers {
+    prt_ray *rays;                     /* [PRT__POINT_BATCH] */
+    prt_hit *hits;                     /* [PRT__POINT_BATCH] */
+    prt_real *x, *y, *z;               /* [PRT__POINT_BATCH + PRT__BLOCK], directions */
+    prt__steps steps;
+} prt__feelers;
+
+PRT__STATIC void prt__feelers_layout(prt__feelers *f, unsigned char *memory, size_t *used) {
+    size_t batch = PRT__POINT_BATCH;
+    f->rays = (prt_ray *)prt__carve(memory, used, batch, sizeof *f->rays);
+    f->hits = (prt_hit *)prt__carve(memory, used, batch, sizeof *f->hits);
+    f->x = (prt_real *)prt__carve(memory, used, batch + PRT__BLOCK, sizeof *f->x);
+    f->y = (prt_real *)prt__carve(memory, used, batch + PRT__BLOCK, sizeof *f->y);
+    f->z = (prt_real *)prt__carve(memory, used, batch + PRT__BLOCK, sizeof *f->z);
+}
+
+/* Rays along the directions in x, y, z; 0 unless the tracer fails. */
+PRT__STATIC int prt__feelers_trace(prt__feelers *f, const prt_tracer *tracer, prt_vec3 origin, int count) {
+    int k;
+    for (k = 0; k < count; k++) {
+        f->rays[k].origin = origin;
+        f->rays[k].dir = prt__vec3(f->x[k], f->y[k], f->z[k]);
+        f->rays[k].tmin = 0;
+        f->rays[k].tmax = PRT__R(FLT_MAX);
+        f->hits[k].object = -1;
+    }
+    return tracer->closest(tracer->user, count, f->rays, f->hits);
+}
+
+/* Members from ... from+count-1 of a point's directions: cosine-distributed, or evenly over a cap where lid > 0. */
+PRT__STATIC void prt__feelers_aim(prt__feelers *f, const prt__lattice *lattice, const prt__frame *frame, double lid,
+                                  int from, int count) {
+    int k;
+    for (k = 0; k < count; k += PRT__BLOCK)
+        prt__lattice_block(lattice, &f->steps, frame, lid, from + k,
+                           count - k < PRT__BLOCK ? count - k : (int)PRT__BLOCK, f->x + k, f->y + k, f->z + k);
+}
+
+PRT__STATIC int prt__not_negative(prt_real v) { return v >= 0 && prt__finite(v); }
+PRT__STATIC int prt__grey(prt_rgb c) { return c.r == c.g && c.g == c.b; }
+PRT__INLINE int prt__planes_ok(int planes) { return planes == 1 || planes == 3; }
+
+/* Surfaces that reflect light, and the transfer of light to them. */
+typedef struct prt__mirrors {
+    int object_count, planes, previous_planes, coefficients;
+    const prt_bounce_object *objects;
+    const prt_real *previous;
+} prt__mirrors;
+
+/* What a hit sends back: three rows of transfer, their barycentric weights, and the albedo. */
+typedef struct prt__reflection { const prt_real *row[3]; prt_real share[3], albedo[3]; } prt__reflection;
+
+PRT__STATIC int prt__barycentric(prt_real u, prt_real v) {
+    const prt_real slack = PRT__R(1e-3);
+    return prt__finite(u) && prt__finite(v) && u >= -slack && v >= -slack && u + v <= 1 + slack;
+}
+
+/* 1 and the reflection, 0 where the hit reflects nothing, -1 where it cannot be. */
+PRT__STATIC int prt__reflection_of(const prt__mirrors *m, prt_vec3 dir, const prt_hit *hit, prt__reflection *out) {
+    const prt_bounce_object *o;
+    const uint32_t *corner;
+    prt_rgb albedo = { 0, 0, 0 };
+    int back, k;
+    if (hit->object >= m->object_count || !prt__not_negative(hit->t) || !prt__unit_within(hit->normal)) return -1;
+    o = &m->objects[hit->object];
+    if (!o->triangles) return 0;
+    if (hit->primitive < 0 || hit->primitive >= o->triangle_count || !prt__barycentric(hit->u, hit->v)) return -1;
+    back = prt__dot3(dir, hit->normal) > 0;
+    if (back && !o->back_offset) return 0;
+    corner = o->triangles + (size_t)hit->primitive * 3;
+    out->share[0] = 1 - hit->u - hit->v; out->share[1] = hit->u; out->share[2] = hit->v;
+    for (k = 0; k < 3; k++) {
+        ptrdiff_t row = (ptrdiff_t)corner[k] + o->first_point + (back ? o->back_offset : 0);
+        out->row[k] = m->previous + row * (ptrdiff_t)m->coefficients * m->previous_planes;
+        if (!o->albedos) continue;
+        albedo.r += out->share[k] * o->albedos[corner[k]].r;
+        albedo.g += out->share[k] * o->albedos[corner[k]].g;
+        albedo.b += out->share[k] * o->albedos[corner[k]].b;
+    }
+    if (!o->albedos) albedo.r = albedo.g = albedo.b = 1;
+    out->albedo[0] = albedo.r * o->albedo.r;
+    out->albedo[1] = albedo.g * o->albedo.g;
+    out->albedo[2] = albedo.b * o->albedo.b;
+    return 1;
+}
+
+/* sum += albedo * transfer of one plane, in blocks of a length that the compiler knows. */
+PRT__STATIC void prt__add_reflection(int n, const prt__reflection *r, int plane, int from_plane,
+                                     prt_real *PRT__RESTRICT sum) {
+    const prt_real *a = r->row[0] + from_plane * n, *b = r->row[1] + from_plane * n, *c = r->row[2] + from_plane * n;
+    prt_real wa = r->share[0] * r->albedo[plane], wb = r->share[1] * r->albedo[plane];
+    prt_real wc = r->share[2] * r->albedo[plane];
+    int i, k;
+    for (i = 0; i + 8 <= n; i += 8)
+        for (k = i; k < i + 8; k++) sum[k] += wa * a[k] + wb * b[k] + wc * c[k];
+    for (; i < n; i++) sum[i] += wa * a[i] + wb * b[i] + wc * c[i];
+}
+
+/* The same for every plane: sum[planes][n]. */
+PRT__STATIC void prt__add_reflections(const prt__mirrors *m, const prt__reflection *r, prt_real *sum) {
+    int plane;
+    for (plane = 0; plane < m->planes; plane++)
+        prt__add_reflection(m->coefficients, r, plane, m->previous_planes == 3 ? plane : 0,
+                            sum + (size_t)plane * (size_t)m->coefficients);
+}
+
+typedef struct prt__bounce {
+    const prt_bounce_desc *desc;
+    const prt_point *points;
+    prt_real *out;
+    int bands, samples;
+    prt_real bias;
+    prt__mirrors mirrors;
+    prt__feelers feelers;
+    prt_real *running;                 /* [planes][coefficients] */
+    double *sum;                       /* the same */
+} prt__bounce;
+
+PRT__STATIC size_t prt__bounce_layout(prt__bounce *b, unsigned char *memory) {
+    size_t used = PRT__LINE, n = (size_t)b->mirrors.coefficients * (size_t)b->mirrors.planes;
+    if (memory) used -= (size_t)((uintptr_t)memory % PRT__LINE);
+    prt__feelers_layout(&b->feelers, memory, &used);
+    b->running = (prt_real *)prt__carve(memory, &used, n, sizeof *b->running);
+    b->sum = (double *)prt__carve(memory, &used, n, sizeof *b->sum);
+    return used;
+}
+
+/* Whether a colour of any albedo of the object is none, or a number is out of range: `ok` decides. */
+PRT__STATIC int prt__albedos_all(const prt_bounce_object *o, int (*ok)(prt_rgb c)) {
+    size_t k;
+    if (!ok(o->albedo)) return 0;
+    for (k = 0; o->triangles && o->albedos && k < 3 * (size_t)o->triangle_count; k++)
+        if (!ok(o->albedos[o->triangles[k]])) return 0;
+    return 1;
+}
+
+PRTDEF int prt_bounce_planes(int object_count, const prt_bounce_object *objects) {
+    int k;
+    for (k = 0; objects && k < object_count; k++)
+        if (objects[k].triangles && !prt__albedos_all(&objects[k], prt__grey)) return 3;
+    return 1;
+}
+
+PRTDEF size_t prt_bounce_size(int bands, int planes, int point_count) {
+    size_t plane = prt_bake_transfer_size(bands, point_count);
+    return !prt__planes_ok(planes) || plane > SIZE_MAX / 3 ? 0 : plane * (size_t)planes;
+}
+
+PRT__STATIC int prt__corners_ok(const prt_bounce_object *o, int point_count) {
+    size_t k;
+    for (k = 0; o->triangles && k < 3 * (size_t)o->triangle_count; k++) {
+        int64_t row = (int64_t)o->triangles[k] + o->first_point, back = row + o->back_offset;
+        if (row < 0 || row >= point_count || back < 0 || back >= point_count) return 0;
+    }
+    return 1;
+}
+
+/* Counts, then the defaults. */
+PRT__STATIC prt_result prt__bounce_shape(prt__bounce *b, const prt_bounce_desc *desc) {
+    int k;
+    if (!desc) return PRT_ERR_NULL;
+    memset(b, 0, sizeof *b);
+    b->desc = desc;
+    b->bands = desc->bands ? desc->bands : (int)PRT__DEFAULT_BANDS;
+    if (!prt__bands_ok(b->bands)) return PRT_ERR_BANDS;
+    b->mirrors.previous_planes = desc->previous_planes ? desc->previous_planes : 1;
+    if (desc->samples < 0 || desc->object_count < 0) return PRT_ERR_COUNT;
+    if (!prt__planes_ok(b->mirrors.previous_planes)) return PRT_ERR_COUNT;
+    for (k = 0; desc->objects && k < desc->object_count; k++)
+        if (desc->objects[k].triangle_count < 0) return PRT_ERR_COUNT;
+    b->mirrors.planes = desc->planes ? desc->planes : prt_bounce_planes(desc->object_count, desc->objects);
+    if (!desc->planes && b->mirrors.previous_planes == 3) b->mirrors.planes = 3;
+    if (!prt__planes_ok(b->mirrors.planes) || b->mirrors.planes < b->mirrors.previous_planes) return PRT_ERR_COUNT;
+    b->mirrors.object_count = desc->object_count;
+    b->mirrors.objects = desc->objects;
+    b->mirrors.coefficients = PRT_SH_COUNT(b->bands);
+    b->samples = desc->samples ? desc->samples : (int)PRT__DEFAULT_SAMPLES;
+    b->bias = prt__bake_bias(desc->bias, desc->scene_radius);
+    return PRT_OK;
+}
+
+PRTDEF size_t prt_bake_bounce_scratch_size(const prt_bounce_desc *desc) {
+    prt__bounce b;
+    size_t size = prt__bounce_shape(&b, desc) == PRT_OK ? prt__bounce_layout(&b, 0) : 0;
+    return size < SIZE_MAX ? size : 0;
+}
+
+PRT__STATIC prt_result prt__bounce_values(const prt__bounce *b, int point_count, int first, int count) {
+    const prt_bounce_desc *desc = b->desc;
+    int k;
+    for (k = 0; k < desc->object_count; k++)
+        if (!prt__albedos_all(&desc->objects[k], prt__rgb_within_1)) return PRT_ERR_VALUE;
+    if (b->mirrors.planes == 1 && prt_bounce_planes(desc->object_count, desc->objects) == 3) return PRT_ERR_VALUE;
+    if (!prt__not_negative(desc->bias) || !prt__not_negative(desc->scene_radius)) return PRT_ERR_VALUE;
+    return prt__bake_points_check(b->bias, point_count, b->points, first, count);
+}
+
+/* Resolves the defaults of desc into b; the checks in the order that the interface promises. */
+PRT__STATIC prt_result prt__bounce_open(prt__bounce *b, const prt_bounce_desc *desc, int point_count,
+                                        const prt_point *points, const prt_real *previous, int first, int count,
+                                        prt_real *out) {
+    prt_result r = prt__bounce_shape(b, desc);
+    int k;
+    if (r != PRT_OK) return r;
+    if (!prt__range_ok(point_count, first, count)) return PRT_ERR_COUNT;
+    for (k = 0; desc->objects && k < desc->object_count; k++)
+        if (!prt__corners_ok(&desc->objects[k], point_count)) return PRT_ERR_COUNT;
+    if (count > 0 && !prt_bounce_size(b->bands, b->mirrors.planes, point_count)) return PRT_ERR_CAPACITY;
+    if (count > 0 && (!points || !previous || !out)) return PRT_ERR_NULL;
+    if (desc->object_count > 0 && !desc->objects) return PRT_ERR_NULL;
+    if (!desc->tracer || !desc->tracer->closest) return PRT_ERR_NULL;
+    b->points = points;
+    b->mirrors.previous = previous;
+    b->out = out;
+    return prt__bounce_values(b, point_count, first, count);
+}
+
+PRT__STATIC void prt__bounce_flush(prt__bounce *b) {
+    int i, n = b->mirrors.coefficients * b->mirrors.planes;
+    for (i = 0; i < n; i++) {
+        b->sum[i] += (double)b->running[i];
+        b->running[i] = 0;
+    }
+}
+
+/* Adds what the rays of a batch met; 0 unless one of the hits cannot be. */
+PRT__STATIC int prt__bounce_batch(prt__bounce *b, int count) {
+    prt__reflection reflection;
+    int k;
+    for (k = 0; k < count; k++) {
+        int found = b->feelers.hits[k].object < 0 ? 0
+                  : prt__reflection_of(&b->mirrors, b->feelers.rays[k].dir, &b->feelers.hits[k], &reflection);
+        if (found < 0) return -1;
+        if (found) prt__add_reflections(&b->mirrors, &reflection, b->running);
+        if ((k + 1) % PRT__BLOCK == 0 || k + 1 == count) prt__bounce_flush(b);
+    }
+    return 0;
+}
+
+PRT__STATIC prt_result prt__bounce_point(prt__bounce *b, int point) {
+    const prt_point *p = &b->points[point];
+    prt__lattice lattice = prt__lattice_of(b->samples, b->desc->seed, (uint64_t)point);
+    prt__frame frame = prt__frame_about(p->normal);
+    size_t n = (size_t)b->mirrors.coefficients * (size_t)b->mirrors.planes, i;
+    prt_real *row = b->out + (size_t)point * n;
+    int from;
+    memset(b->sum, 0, n * sizeof *b->sum);
+    memset(b->running, 0, n * sizeof *b->running);
+    for (from = 0; from < b->samples; from += PRT__POINT_BATCH) {
+        int count = b->samples - from < PRT__POINT_BATCH ? b->samples - from : (int)PRT__POINT_BATCH;
+        prt__feelers_aim(&b->feelers, &lattice, &frame, 0, from, count);
+        if (prt__feelers_trace(&b->feelers, b->desc->tracer, prt__bake_origin(b->bias, p), count) ||
+            prt__bounce_batch(b, count))
+            return PRT_ERR_TRACE;
+    }
+    for (i = 0; i < n; i++) row[i] = (prt_real)(b->sum[i] / b->samples);
+    return PRT_OK;
+}
+
+PRTDEF prt_result prt_bake_bounce(const prt_bounce_desc *desc, int point_count, const prt_point *points,
+                                  const prt_real *previous, int first, int count, prt_real *out) {
+    prt__bounce b;
+    prt_result r = prt__bounce_open(&b, desc, point_count, points, previous, first, count, out);
+    size_t size;
+    void *memory;
+    int k;
+    if (r != PRT_OK || count == 0) return r;
+    size = prt__bounce_layout(&b, 0);
+    if (size == SIZE_MAX) return PRT_ERR_CAPACITY;
+    memory = PRT_MALLOC(size);
+    if (!memory) return PRT_ERR_MEMORY;
+    prt__bounce_layout(&b, (unsigned char *)memory);
+    prt__steps_of_block(&b.feelers.steps);
+    for (k = first; r == PRT_OK && k < first + count; k++) {
+        r = prt__bounce_point(&b, k);
+        if (r == PRT_OK && desc->progress && desc->progress(desc->progress_user, k - first + 1, count))
+            r = PRT_ERR_CANCELLED;
+    }
+    PRT_FREE(memory);
+    return r;
+}
+
+PRTDEF prt_result prt_bounce_add(int bands, int point_count, int bounce_planes, const prt_real *bounce,
+                                 int total_planes, prt_real *total, prt_real *strength) {
+    size_t n, k;
+    double most = 0;
+    if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
+    if (point_count < 0 || !prt__planes_ok(bounce_planes) || !prt__planes_ok(total_planes)) return PRT_ERR_COUNT;
+    if (total_planes < bounce_planes) return PRT_ERR_COUNT;
+    if (point_count > 0 && (!bounce || !total)) return PRT_ERR_NULL;
+    n = (size_t)PRT_SH_COUNT(bands);
+    for (k = 0; k < (size_t)point_count * (size_t)total_planes; k++) {
+        const prt_real *from = bounce + (bounce_planes == total_planes ? k : k / 3) * n;
+        double first = (double)from[0];
+        size_t i;
+        for (i = 0; i < n; i++) total[k * n + i] += from[i];
+        if (!(first <= most)) most = first;
+    }
+    if (strength) *strength = (prt_real)(most * (2 * 1.77245385090551602729816748334114518));       /* over Y(0,0) */
+    return PRT_OK;
+}
+
+/* Progress of one bounce told as that of all. */
+typedef struct prt__bounces { const prt_bounce_desc *desc; int before, total; } prt__bounces;
+PRT__STATIC int prt__bounces_done(void *user, int done, int total) {
+    const prt__bounces *s = (const prt__bounces *)user;
+    (void)total;
+    return s->desc->progress ? s->desc->progress(s->desc->progress_user, s->before + done, s->total) : 0;
+}
+
+/* The bounces one after the other, buffer[0] and buffer[1] in turn. */
+PRT__STATIC prt_result prt__bounces_run(const prt__bounce *b, int bounces, prt_real least, int point_count,
+                                        const prt_real *direct, prt_real *const buffer[2], prt_real *total, int *made) {
+    prt_bounce_desc desc = *b->desc;
+    prt__bounces progress;
+    prt_result r = PRT_OK;
+    prt_real strength = 0;
+    int k;
+    progress.desc = b->desc;
+    progress.total = bounces * point_count;
+    desc.planes = b->mirrors.planes;
+    desc.progress = prt__bounces_done;
+    desc.progress_user = &progress;
+    for (k = 0; k < bounces; k++) {
+        prt_real *out = buffer[k % 2];
+        progress.before = k * point_count;
+        r = prt_bake_bounce(&desc, point_count, b->points, k ? buffer[1 - k % 2] : direct, 0, point_count, out);
+        if (r != PRT_OK) break;
+        desc.previous_planes = desc.planes;
+        prt_bounce_add(b->bands, point_count, desc.planes, out, desc.planes, total, &strength);
+        if (made) *made = k + 1;
+        if (strength <= least) break;
+    }
+    return r;
+}
+
+PRTDEF prt_result prt_bake_bounces(const prt_bounce_desc *desc, int bounces, prt_real least, int point_count,
+                                   const prt_point *points, const prt_real *direct, prt_real *total, int *made) {
+    prt__bounce b;
+    prt_real *buffer[2];
+    size_t size, n, k;
+    prt_result r = prt__bounce_open(&b, desc, point_count, points, direct, 0, point_count, total);
+    if (r != PRT_OK) return r;
+    if (bounces < 0) return PRT_ERR_COUNT;
+    if (!prt__not_negative(least)) return PRT_ERR_VALUE;
+    size = prt_bounce_size(b.bands, b.mirrors.planes, point_count);
+    if ((point_count > 0 && bounces > INT_MAX / point_count) || size > SIZE_MAX / 2) return PRT_ERR_CAPACITY;
+    buffer[0] = point_count > 0 ? (prt_real *)PRT_MALLOC(2 * size) : 0;
+    if (!buffer[0] && point_count > 0) return PRT_ERR_MEMORY;
+    if (made) *made = 0;
+    if (point_count == 0) return PRT_OK;
+    buffer[1] = buffer[0] + size / sizeof(prt_real);
+    n = (size_t)b.mirrors.coefficients;
+    for (k = 0; total != direct && k < (size_t)point_count * (size_t)b.mirrors.planes; k++)
+        memcpy(total + k * n, direct + (b.mirrors.planes == b.mirrors.previous_planes ? k : k / 3) * n,
+               n * sizeof *total);
+    r = prt__bounces_run(&b, bounces, least, point_count, direct, buffer, total, made);
+    PRT_FREE(buffer[0]);
+    return r;
 }
 
 /* --------------------------------------------------------------------------------------------------- >>fiv ---- */
@@ -2149,8 +2606,6 @@ PRTDEF prt_result prt_bake_vo_ao(const prt_vo_desc *desc, int point_count, const
     ao.open = open ? open + first : NULL;
     return prt_bake_transfer(&transfer, point_count, points, first, count, open);
 }
-
-PRT__STATIC int prt__not_negative(prt_real v) { return v >= 0 && prt__finite(v); }
 
 PRT__STATIC prt_result prt__vo_object_check(const prt_vo_object *o, int point_count) {
     int k, corner, groups = o->group_count ? o->group_count : 1;
