@@ -79,3 +79,16 @@ node k_power(kernel *k, node base, node exponent) {
     node zero = k_const(k, 0), one = k_const(k, 1);
     return k_select(k, zero, exponent, k_select(k, zero, base, k_pow(k, base, exponent), zero), one);
 }
+
+static xreal falling_slope(xreal t) {                  /* (1 - e^-t)/t */
+    xreal term = 1, sum = 1;
+    int k;
+    for (k = 2; k < 40; k++) { term *= -t / k; sum += term; }
+    return sum;
+}
+
+node k_exponential_slope(kernel *k, node v) {
+    node one = k_const(k, 1), t = k_neg(k, v), near = polynomial_of(k, falling_slope, 8, k_min(k, t, one));
+    node far = k_div(k, k_sub(k, one, k_pow(k, k_const(k, 1 / (1 + falling_slope(-1))), t)), k_max(k, t, one));
+    return k_select(k, one, t, far, near);
+}

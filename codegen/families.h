@@ -23,11 +23,15 @@
     X(sh_window_hann, sh_window_hann, 1, 10, FORM_TEXT) \
     X(sh_window_lanczos, sh_window_lanczos, 1, 10, FORM_TEXT) \
     X(sh_window_positive, sh_window_positive, 1, 10, FORM_TEXT) \
+    X(sh_window_dering, sh_window_dering, 1, 10, FORM_TEXT) \
+    X(sh_irradiance_packed, sh_irradiance_packed, 0, 0, FORM_TEXT) \
     X(sh_rotate, sh_rotate, 2, 8, FORM_ONE) \
     X(sh_rotate, sh_rotate_matrix, 1, 8, FORM_TEXT) \
     X(sh_rotate_turned, sh_rotate, 2, 8, FORM_TEXT) \
     X(sh_turn, sh_turn, 0, 0, FORM_TEXT) \
     X(sh_rotate_z, sh_rotate_z, 1, 8, FORM_TEXT) \
+    X(sh_rotation, sh_rotation, 1, 6, FORM_TEXT) \
+    X(sh_rotate_by, sh_rotate_by, 1, 6, FORM_TEXT) \
     X(rotation_from_quaternion, rotation_from_quaternion, 0, 0, FORM_TEXT) \
     X(sh_dot, sh_dot, 1, 10, FORM_TEXT) \
     X(shade_diffuse, shade_diffuse, 1, 10, FORM_TEXT) \
@@ -38,8 +42,16 @@
     X(sh_terms, sh_terms, 3, 8, FORM_NODES) \
     X(row_product, row_product, 3, 8, FORM_BLOCK) \
     X(sh_product_zonal, sh_product_zonal, 1, 6, FORM_TEXT) \
+    X(sh_product_matrix, sh_product_matrix, 1, 4, FORM_TEXT) \
+    X(sh_product_by, sh_product_by, 1, 4, FORM_TEXT) \
     X(sh_mask_hann, sh_mask_hann, 1, 6, FORM_TEXT) \
+    X(sh_mask_lanczos, sh_mask_lanczos, 1, 6, FORM_TEXT) \
+    X(sh_mask_positive, sh_mask_positive, 1, 6, FORM_TEXT) \
+    X(sh_mask_filter_hann, sh_mask_filter_hann, 1, 6, FORM_TEXT) \
+    X(sh_mask_filter_lanczos, sh_mask_filter_lanczos, 1, 6, FORM_TEXT) \
     X(sh_mask_filter_positive, sh_mask_filter_positive, 1, 6, FORM_TEXT) \
+    X(sh_exp_series, sh_exp_series, 1, 4, FORM_TEXT) \
+    X(sh_exp_linear, sh_exp_linear, 1, 10, FORM_TEXT) \
     X(ch_from_sh, ch_from_sh, 1, 10, FORM_TEXT) \
     X(sh_from_ch, sh_from_ch, 1, 10, FORM_TEXT) \
     X(ch_from_moments, ch_from_moments, 1, 10, FORM_TEXT) \
@@ -47,15 +59,19 @@
     X(ch_dot, ch_dot, 1, 10, FORM_TEXT) \
     X(ch_rotate, ch_rotate, 1, 8, FORM_TEXT) \
     X(ch_product, ch_product, 1, 6, FORM_TEXT) \
+    X(fiv_add, fiv_add, 0, 0, FORM_TEXT) \
     X(fiv_irradiance, fiv_irradiance, 0, 0, FORM_TEXT) \
     X(fiv_place, fiv_place, 0, 0, FORM_TEXT) \
     X(fiv_blend, fiv_blend, 0, 0, FORM_TEXT) \
     X(fiv_taken, fiv_taken, 0, 0, FORM_TEXT) \
     X(fiv_overlap, fiv_overlap, 0, 0, FORM_TEXT) \
     X(fiv_self, fiv_self, 0, 0, FORM_TEXT) \
+    X(fiv_transfer, fiv_transfer, 1, 6, FORM_TEXT) \
     X(vo_direct, vo_direct, 0, 0, FORM_TEXT) \
     X(vo_pass, vo_pass, 0, 0, FORM_TEXT) \
     X(vo_pass_cap, vo_pass_cap, 0, 0, FORM_TEXT) \
-    X(vo_sent, vo_sent, 0, 0, FORM_TEXT)
+    X(vo_sent, vo_sent, 0, 0, FORM_TEXT) \
+    X(vo_bend, vo_bend, 0, 0, FORM_TEXT) \
+    X(vo_unfold, vo_unfold, 0, 0, FORM_TEXT)
 
 #endif

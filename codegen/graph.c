@@ -24,6 +24,7 @@ void kernel_free(kernel *k) {
     free(k->nodes);
     free(k->buckets);
     free(k->outputs);
+    free(k->stages);
     free(k);
 }
 
@@ -43,6 +44,12 @@ void kernel_output(kernel *k, int to, int element, node value) {
     o->param = to;
     o->element = element;
     o->value = value;
+}
+
+void kernel_stage(kernel *k, node n) {
+    if (k->stage_count == k->stage_capacity)
+        k->stages = (node *)grow(k->stages, &k->stage_capacity, sizeof *k->stages);
+    k->stages[k->stage_count++] = n;
 }
 
 /* ---- hash-consing ---- */
@@ -245,6 +252,8 @@ int kernel_live_values(const kernel *k) {
     s.last = (int *)calloc((size_t)k->node_count, sizeof *s.last);
     s.time = 0;
     if (!ends || !s.made || !s.last) { fprintf(stderr, "prt_codegen: out of memory\n"); exit(1); }
+    for (i = 0; i < k->stage_count; i++)
+        if (k->nodes[k->stages[i]].uses) visit(k, k->stages[i], &s);
     for (i = 0; i < k->output_count; i++) {
         node n = k->outputs[i].value;
         visit(k, n, &s);

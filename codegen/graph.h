@@ -41,6 +41,8 @@ typedef struct kernel {
     int stores_last;                                   /* all loads come before all stores: an output may be an input */
     output *outputs;
     int output_count, output_capacity;
+    node *stages;                                      /* to be computed in this order, before any output */
+    int stage_count, stage_capacity;
 } kernel;
 
 /* Operations of a finished kernel. fused: additions whose operand is a product that nothing else uses; others: minima,
@@ -51,6 +53,7 @@ kernel  *kernel_new(const char *name, const char *summary);
 void     kernel_free(kernel *k);
 int      kernel_param(kernel *k, const char *name, param_kind kind, int count);   /* returns its index */
 void     kernel_output(kernel *k, int to, int element, node value);
+void     kernel_stage(kernel *k, node n);              /* keeps few values alive where the order of outputs would not */
 void     kernel_count_uses(kernel *k);
 int      op_operands(node_op op);                      /* how many of a, b, c, d it has; 0 for constants and inputs */
 op_count kernel_operations(const kernel *k);           /* after kernel_count_uses */

@@ -119,13 +119,12 @@ kernel *describe_ch_dot(int bands) {
 }
 
 kernel *describe_ch_rotate(int bands) {
-    kernel *k = named_kernel("ch_rotate", "rotation of one vector by a matrix of determinant 1", bands);
-    node r[9], turn[6], f[64 * 64];
+    kernel *k = named_kernel("ch_rotate", "rotation or reflection of one vector by a matrix", bands);
+    node r[9], f[64 * 64];
     input_nodes(k, "r", 9, r);
     input_nodes(k, "f", bands * bands, f);
-    rotation_turn(k, r, turn);
     change_basis(k, bands, by_transpose, f);
-    rotate_nodes(k, bands, r, turn, f);
+    rotate_by_matrix(k, bands, r, f);
     change_basis(k, bands, by_inverse_transpose, f);
     output_nodes(k, "out", bands * bands, f);
     return k;

@@ -149,3 +149,34 @@ kernel *describe_fiv_self(int bands) {
     vec_result(k, left);
     return k;
 }
+
+kernel *describe_fiv_add(int bands) {
+    kernel *k = kernel_new("fiv_add", "fiv + radiance_times_solid_angle dir");
+    vec fiv[3], dir, light;
+    node out[9];
+    int c;
+    (void)bands;
+    vectors_param(k, "fiv", fiv);
+    dir = vec_param(k, "dir");
+    light = vec_param(k, "color");
+    fiv[0] = vec_add(k, fiv[0], vec_scale(k, light.x, dir));
+    fiv[1] = vec_add(k, fiv[1], vec_scale(k, light.y, dir));
+    fiv[2] = vec_add(k, fiv[2], vec_scale(k, light.z, dir));
+    for (c = 0; c < 3; c++) { out[3 * c] = fiv[c].x; out[3 * c + 1] = fiv[c].y; out[3 * c + 2] = fiv[c].z; }
+    output_nodes(k, "out", 9, out);
+    return k;
+}
+
+/* The vectors of a sample of a prt_fiv_transfer table under the light of prt_fiv_transfer_light: nine dot products */
+kernel *describe_fiv_transfer(int bands) {
+    kernel *k = named_kernel("fiv_transfer", "vectors of what is hidden under a light", bands);
+    int n = (bands + 1) * (bands + 1), hidden = kernel_param(k, "hidden", PARAM_INPUT, n), i, c;
+    int vectors = kernel_param(k, "vectors", PARAM_INPUT, 9 * n);
+    node out[9];
+    for (c = 0; c < 9; c++) {
+        out[c] = k_const(k, 0);
+        for (i = 0; i < n; i++) out[c] = k_madd(k, k_element(k, hidden, i), k_element(k, vectors, c * n + i), out[c]);
+    }
+    output_nodes(k, "out", 9, out);
+    return k;
+}

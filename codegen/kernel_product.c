@@ -197,7 +197,7 @@ static complex_node input(kernel *k, const node *f, element e) {
 }
 
 /* g is f itself for a square. */
-void product_nodes(kernel *k, int bands, const node *f, const node *g, node *out) {
+static void tensor_product_nodes(kernel *k, int bands, const node *f, const node *g, node *out) {
     product *p = (product *)calloc(1, sizeof *p);
     pair pr = { 0 };
     int l, m, i;
@@ -224,6 +224,12 @@ void product_nodes(kernel *k, int bands, const node *f, const node *g, node *out
         out[e.l * (e.l + 1) + e.m] = p->out[i].re;
     }
     free(p);
+}
+
+/* By whichever takes fewer operations, the tensor or the circles of kernel_nodes.c: as prt_sh_product_soa does */
+void product_nodes(kernel *k, int bands, const node *f, const node *g, node *out) {
+    if (bands <= 4) tensor_product_nodes(k, bands, f, g, out);
+    else circle_product_nodes(k, bands, f, g, out);
 }
 
 /* Outputs in the order in which the elements are done */
@@ -262,7 +268,7 @@ kernel *describe_sh_square(int bands) {
             f[l * (l + 1) + m] = k_element(k, pf, l * (l + 1) + m);
             f[l * (l + 1) - m] = k_element(k, pf, l * (l + 1) - m);
         }
-    product_nodes(k, bands, f, f, out);
+    tensor_product_nodes(k, bands, f, f, out);
     output_product(k, bands, out);
     return k;
 }
@@ -276,7 +282,7 @@ kernel *describe_sh_product_zonal(int bands) {
     input_nodes(k, "zonal", bands, zonal);
     for (l = 0, i = 0; l < bands; l++)
         for (; i < (l + 1) * (l + 1); i++) g[i] = i == l * (l + 1) ? zonal[l] : k_const(k, 0);
-    product_nodes(k, bands, f, g, out);
+    tensor_product_nodes(k, bands, f, g, out);
     output_product(k, bands, out);
     return k;
 }
@@ -287,24 +293,117 @@ static void weigh_bands(kernel *k, int bands, const xreal *weight, node *f) {
         for (; i < (l + 1) * (l + 1); i++) f[i] = k_scale(k, weight[l], f[i]);
 }
 
-/* Windows as wide as the bands: Hann's on both factors [Chapter 2010], the positive one on the filter alone. */
-static kernel *describe_mask(const char *name, const char *what, int bands, int positive) {
+/* Windows as wide as the bands, on both factors [Chapter 2010] or on the filter alone. */
+static kernel *describe_mask(const char *name, const char *what, int bands, window *weights, int both) {
     kernel *k = named_kernel(name, what, bands);
     node light[MAX_BANDS * MAX_BANDS], filter[MAX_BANDS * MAX_BANDS], out[MAX_BANDS * MAX_BANDS];
     xreal weight[64];
-    window_weights(bands, positive, weight);
+    weights(bands, weight);
     input_nodes(k, "light", bands * bands, light);
     input_nodes(k, "filter", bands * bands, filter);
     weigh_bands(k, bands, weight, filter);
-    if (!positive) weigh_bands(k, bands, weight, light);
+    if (both) weigh_bands(k, bands, weight, light);
     product_nodes(k, bands, light, filter, out);
     output_product(k, bands, out);
     return k;
 }
 
-kernel *describe_sh_mask_hann(int bands) {
-    return describe_mask("sh_mask_hann", "light times filter, both under Hann's window", bands, 0);
+#define MASK(name, of, weights, both) \
+    kernel *describe_##name(int bands) { return describe_mask(#name, "light times filter, " of, bands, weights, both); }
+MASK(sh_mask_hann, "both under Hann's window", hann_weights, 1)
+MASK(sh_mask_lanczos, "both under Lanczos' window", lanczos_weights, 1)
+MASK(sh_mask_positive, "both under the positive window", positive_weights, 1)
+MASK(sh_mask_filter_hann, "that under Hann's window", hann_weights, 0)
+MASK(sh_mask_filter_lanczos, "that under Lanczos' window", lanczos_weights, 0)
+MASK(sh_mask_filter_positive, "that under the positive window", positive_weights, 0)
+#undef MASK
+
+/* ---- multiplication by a fixed filter as a matrix ---- */
+
+/* int Y_i Y_j Y_k of the real harmonics: 0 unless one |m| is the sum of the others and the sines are none or two; then
+   that of the |m|, negative where the cosine among two sines has the sum. */
+static xreal real_coefficient(element a, element b, element c) {
+    int sines = (a.m < 0) + (b.m < 0) + (c.m < 0), sign;
+    element top = c, e[3];
+    if (abs(a.m) > abs(top.m)) { top = a; a = c; }
+    if (abs(b.m) > abs(top.m)) { element t = top; top = b; b = t; }
+    if (sines % 2 || abs(a.m) + abs(b.m) != abs(top.m) || (a.l + b.l + top.l) % 2) return 0;
+    if (a.l > b.l + top.l || b.l > a.l + top.l || top.l > a.l + b.l) return 0;
+    sign = sines == 2 && top.m > 0 ? -1 : 1;
+    e[0] = a; e[1] = b; e[2] = top;
+    e[0].m = abs(a.m); e[1].m = abs(b.m); e[2].m = abs(top.m);
+    return sign * coefficient(e[0], e[1], e[2]);
 }
-kernel *describe_sh_mask_filter_positive(int bands) {
-    return describe_mask("sh_mask_filter_positive", "light times filter under the positive window", bands, 1);
+
+static element element_of(int i) {
+    element e = { 0, 0 };
+    while ((e.l + 1) * (e.l + 1) <= i) e.l++;
+    e.m = i - e.l * (e.l + 1);
+    return e;
+}
+
+kernel *describe_sh_product_matrix(int bands) {
+    kernel *k = named_kernel("sh_product_matrix", "the matrix that multiplies by a filter", bands);
+    int n = bands * bands, i, j, h;
+    node f[MAX_BANDS * MAX_BANDS];
+    int out;
+    input_nodes(k, "filter", n, f);
+    out = kernel_param(k, "matrix", PARAM_OUTPUT, n * n);
+    for (i = 0; i < n; i++)
+        for (j = 0; j <= i; j++) {
+            node sum = k_const(k, 0);
+            for (h = 0; h < n; h++)
+                sum = k_madd(k, k_const(k, real_coefficient(element_of(i), element_of(j), element_of(h))), f[h], sum);
+            kernel_output(k, out, i * n + j, sum);
+            if (j < i) kernel_output(k, out, j * n + i, sum);
+        }
+    return k;
+}
+
+kernel *describe_sh_product_by(int bands) {
+    kernel *k = named_kernel("sh_product_by", "product by the matrix of a filter", bands);
+    int n = bands * bands, matrix = kernel_param(k, "matrix", PARAM_INPUT, n * n), i, j;
+    int f = kernel_param(k, "f", PARAM_INPUT, n), out = kernel_param(k, "out", PARAM_OUTPUT, n);
+    for (i = 0; i < n; i++) {
+        node sum = k_const(k, 0);
+        for (j = 0; j < n; j++) sum = k_madd(k, k_element(k, matrix, i * n + j), k_element(k, f, j), sum);
+        kernel_output(k, out, i, sum);
+    }
+    return k;
+}
+
+/* ---- exponentials ---- */
+
+/* f without its mean, of norm 1 at most: 1 + f (1 + f/2 (1 + f/3 (1 + f/4))); sh_square doubles the exponent */
+kernel *describe_sh_exp_series(int bands) {
+    kernel *k = named_kernel("sh_exp_series", "exponential of f of norm 1 at most", bands);
+    node f[MAX_BANDS * MAX_BANDS], out[MAX_BANDS * MAX_BANDS], one = k_const(k, x_sqrt(4 * x_pi()));
+    int n = bands * bands, h, i;
+    input_nodes(k, "f", n, f);
+    for (i = 0; i < n; i++) out[i] = k_scale(k, x_ratio(1, 4), f[i]);
+    out[0] = k_add(k, out[0], one);
+    for (h = 3; h >= 1; h--) {
+        node product[MAX_BANDS * MAX_BANDS];
+        product_nodes(k, bands, f, out, product);
+        for (i = 0; i < n; i++) out[i] = k_scale(k, x_ratio(1, h), product[i]);
+        out[0] = k_add(k, out[0], one);
+    }
+    output_product(k, bands, out);
+    return k;
+}
+
+/* 1 + (e^v - 1)/v f at v = |f|^2 over the mean, if that is negative; else 1 + f */
+kernel *describe_sh_exp_linear(int bands) {
+    kernel *k = named_kernel("sh_exp_linear", "exponential of a log visibility, linear in it", bands);
+    node f[64 * 64], zero = k_const(k, 0), square = zero, mean, slope;
+    xreal root = x_sqrt(4 * x_pi());
+    int i;
+    input_nodes(k, "f", bands * bands, f);
+    for (i = 0; i < bands * bands; i++) square = k_madd(k, f[i], f[i], square);
+    mean = k_scale(k, root, f[0]);
+    slope = k_exponential_slope(k, k_select(k, mean, zero, k_div(k, square, mean), zero));
+    for (i = 0; i < bands * bands; i++) f[i] = k_mul(k, slope, f[i]);
+    f[0] = k_add(k, f[0], k_const(k, root));
+    output_nodes(k, "out", bands * bands, f);
+    return k;
 }

@@ -122,6 +122,35 @@ kernel *describe_sh_irradiance(int bands) {
     return scaled_bands("sh_irradiance", "irradiance from radiance", bands, factor);
 }
 
+/* The polynomial of prt_sh_pack_irradiance: seven constants of four values, as engines lay them out [Sloan 2008, A10] */
+kernel *describe_sh_irradiance_packed(int bands) {
+    kernel *k = kernel_new("sh_irradiance_packed", "irradiance over pi from the constants of prt_sh_pack_irradiance");
+    static const char *const name[7] = { "a_red", "a_green", "a_blue", "b_red", "b_green", "b_blue", "c" };
+    node sum[3], product[5];
+    int constant[7], i, j;
+    vec n, out;
+    (void)bands;
+    for (i = 0; i < 7; i++) constant[i] = kernel_param(k, name[i], PARAM_FOUR, 4);
+    n = vec_param(k, "normal");
+    product[0] = k_mul(k, n.x, n.y);
+    product[1] = k_mul(k, n.y, n.z);
+    product[2] = k_mul(k, n.z, n.z);
+    product[3] = k_mul(k, n.z, n.x);
+    product[4] = k_sub(k, k_mul(k, n.x, n.x), k_mul(k, n.y, n.y));
+    for (i = 0; i < 3; i++) {
+        sum[i] = k_madd(k, k_element(k, constant[i], 2), n.z, k_element(k, constant[i], 3));
+        sum[i] = k_madd(k, k_element(k, constant[i], 1), n.y, sum[i]);
+        sum[i] = k_madd(k, k_element(k, constant[i], 0), n.x, sum[i]);
+        for (j = 0; j < 4; j++) sum[i] = k_madd(k, k_element(k, constant[3 + i], j), product[j], sum[i]);
+        sum[i] = k_madd(k, k_element(k, constant[6], i), product[4], sum[i]);
+    }
+    out.x = sum[0];
+    out.y = sum[1];
+    out.z = sum[2];
+    vec_result(k, out);
+    return k;
+}
+
 kernel *describe_sh_convolve(int bands) {
     kernel *k = named_kernel("sh_convolve", "convolution with a zonal function", bands);
     int f = kernel_param(k, "f", PARAM_INPUT, bands * bands), zonal = kernel_param(k, "zonal", PARAM_INPUT, bands);
@@ -156,7 +185,7 @@ static xreal x_cos(xreal v) {
     return sum;
 }
 
-static void hann_weights(int bands, xreal *weight) {
+void hann_weights(int bands, xreal *weight) {
     int l;
     for (l = 0; l < bands; l++) weight[l] = (1 + x_cos(x_pi() * l / bands)) / 2;
 }
@@ -167,7 +196,7 @@ kernel *describe_sh_window_hann(int bands) {
     return scaled_bands("sh_window_hann", "Hann window as wide as the bands", bands, weight);
 }
 
-static void lanczos_weights(int bands, xreal *weight) {
+void lanczos_weights(int bands, xreal *weight) {
     int l;
     weight[0] = 1;
     for (l = 1; l < bands; l++) weight[l] = x_sin(x_pi() * l / bands) / (x_pi() * l / bands);
@@ -240,7 +269,7 @@ static xreal integral(const polynomial *p) {
 
 /* The sharpest non-negative kernel of degree d = bands-1: [P_k+1(z)/(z-z*)]^2 for d = 2k, (1+z) [P^(0,1)_k+1(z)/(z-z*)]^2
    for d = 2k+1, where (1+z) P^(0,1)_k+1 is P_k+1 + P_k+2 up to a factor; weights are its Legendre moments over the 0th. */
-static void positive_weights(int bands, xreal *weight) {
+void positive_weights(int bands, xreal *weight) {
     int d = bands - 1, k = d / 2, l, i;
     polynomial p = legendre(k + 1), kernel_of_z;
     if (d & 1) {
@@ -267,9 +296,20 @@ kernel *describe_sh_window_positive(int bands) {
     return scaled_bands("sh_window_positive", "positive window as wide as the bands", bands, weight);
 }
 
-void window_weights(int bands, int positive, xreal *weight) {
-    if (positive) positive_weights(bands, weight);
-    else hann_weights(bands, weight);
+/* What prt_sh_dering does once its strength is found, 0 to 2: w(l) = 1 + s (p(l) - 1) to 1, (2 - s) p(l) from there */
+kernel *describe_sh_window_dering(int bands) {
+    kernel *k = named_kernel("sh_window_dering", "smoothing by the strength that prt_sh_dering returns", bands);
+    node s = real_param(k, "strength"), one = k_const(k, 1), rest = k_sub(k, k_const(k, 2), s), f[64 * 64];
+    xreal p[64];
+    int l, i;
+    positive_weights(bands, p);
+    input_nodes(k, "f", bands * bands, f);
+    for (l = 1; l < bands; l++) {
+        node weight = k_select(k, one, s, k_scale(k, p[l], rest), k_sub(k, one, k_scale(k, 1 - p[l], s)));
+        for (i = l * l; i < (l + 1) * (l + 1); i++) f[i] = k_mul(k, weight, f[i]);
+    }
+    output_nodes(k, "out", bands * bands, f);
+    return k;
 }
 
 /* double prt__window_NAME()[(width-1) width/2 + l]: the weights of windows of width 1 ... widest */

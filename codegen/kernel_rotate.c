@@ -10,30 +10,87 @@
 
 enum { LARGEST = 8, SIZE = 2 * LARGEST - 1 };
 
-/* ---- the matrices of the swap ---- */
+/* ---- matrices of any rotation or reflection, band by band [Ivanic 1996] ---- */
 
-static xreal block[LARGEST][SIZE][SIZE];               /* [l][l+m][l+k] */
+typedef struct blocks { node at[LARGEST][SIZE][SIZE]; } blocks;        /* [l][l+m][l+k] */
 
-static xreal above(int i, int l, int a, int k) {       /* P_i(a) at column k [Ivanic 1996] */
-    xreal (*q)[SIZE] = block[l - 1], *r = block[1][i + 1];
-    if (k == l) return r[2] * q[a + l - 1][2 * l - 2] - r[0] * q[a + l - 1][0];
-    if (k == -l) return r[2] * q[a + l - 1][0] + r[0] * q[a + l - 1][2 * l - 2];
-    return r[1] * q[a + l - 1][k + l - 1];
+/* Within |k| <= this, P_i(a) is a product; outside it is the form that the paper has for |k| = l alone (see prt.h) */
+static int inner_columns(int l) { return (7 * l - 1) / 10; }
+
+static node above(kernel *k, const blocks *b, int i, int l, int a, int column) {       /* P_i(a) at this column */
+    const node *q = b->at[l - 1][a + l - 1] + (l - 1), *r = b->at[1][i + 1];
+    if (column > inner_columns(l)) return k_sub(k, k_mul(k, r[2], q[column - 1]), k_mul(k, r[0], q[1 - column]));
+    if (column < -inner_columns(l)) return k_add(k, k_mul(k, r[2], q[column + 1]), k_mul(k, r[0], q[-1 - column]));
+    return k_mul(k, r[1], q[column]);
 }
 
-static xreal recursion(int l, int m, int k) {
-    int am = abs(m), s = m < 0 ? -1 : 1;
-    long d = abs(k) == l ? 2L * l * (2 * l - 1) : (long)(l + k) * (l - k);
-    xreal u = x_sqrt(x_ratio((long)(l + m) * (l - m), d)), sum = 0;
+static node block_entry(kernel *k, const blocks *b, int l, int m, int column) {
+    int am = abs(m), ac = abs(column), s = m < 0 ? -1 : 1;
+    long d = ac > inner_columns(l) ? (long)(l + ac) * (l + ac - 1) : (long)(l + ac) * (l - ac);
+    xreal u = x_sqrt(x_ratio((long)(l + m) * (l - m), d));
     xreal v = x_sqrt(x_ratio((m ? 1L : 2L) * (l + am - 1) * (l + am), d)) / 2;
     xreal w = x_sqrt(x_ratio((long)(l - am - 1) * (l - am), d)) / 2;
-    if (am < l) sum = u * above(0, l, m, k);
-    if (m == 0) return sum - v * (above(1, l, 1, k) + above(-1, l, -1, k));
-    if (am == 1) sum += v * x_sqrt(2) * above(s, l, 0, k);
-    else sum += v * (above(1, l, m - s, k) - s * above(-1, l, s - m, k));
-    if (am < l - 1) sum -= w * (above(1, l, m + s, k) + s * above(-1, l, -m - s, k));
-    return sum;
+    node sum = am < l ? k_scale(k, u, above(k, b, 0, l, m, column)) : k_const(k, 0), pair;
+    if (m == 0) {
+        pair = k_add(k, above(k, b, 1, l, 1, column), above(k, b, -1, l, -1, column));
+        return k_sub(k, sum, k_scale(k, v, pair));
+    }
+    if (am == 1) return k_add(k, sum, k_add(k, k_scale(k, v * x_sqrt(2), above(k, b, s, l, 0, column)), l > 2 ?
+        k_scale(k, -w, k_add(k, above(k, b, 1, l, m + s, column), k_scale(k, s, above(k, b, -1, l, -m - s, column)))) :
+        k_const(k, 0)));
+    pair = k_sub(k, above(k, b, 1, l, m - s, column), k_scale(k, s, above(k, b, -1, l, s - m, column)));
+    sum = k_add(k, sum, k_scale(k, v, pair));
+    if (am >= l - 1) return sum;
+    pair = k_add(k, above(k, b, 1, l, m + s, column), k_scale(k, s, above(k, b, -1, l, -m - s, column)));
+    return k_sub(k, sum, k_scale(k, w, pair));
 }
+
+static void rotation_blocks(kernel *k, int bands, const node r[9], blocks *b) {
+    static const int axis[3] = { 1, 2, 0 };            /* band 1 is R in the order y, z, x */
+    int l, row, column;
+    b->at[0][0][0] = k_const(k, 1);
+    for (row = 0; row < 3; row++)
+        for (column = 0; column < 3; column++) b->at[1][row][column] = r[3 * axis[row] + axis[column]];
+    for (l = 2; l < bands; l++)
+        for (row = -l; row <= l; row++)
+            for (column = -l; column <= l; column++)
+                b->at[l][l + row][l + column] = block_entry(k, b, l, row, column);
+}
+
+/* Blocks one after the other, as prt_sh_rotation writes them */
+static int block_offset(int l) { return l * (4 * l * l - 1) / 3; }
+
+kernel *describe_sh_rotation(int bands) {
+    kernel *k = named_kernel("sh_rotation", "matrices of a rotation or reflection", bands);
+    static blocks b;
+    node r[9];
+    int out, l, row, column;
+    input_nodes(k, "r", 9, r);
+    out = kernel_param(k, "blocks", PARAM_OUTPUT, block_offset(bands));
+    rotation_blocks(k, bands, r, &b);
+    for (l = 0; l < bands; l++)
+        for (row = 0; row <= 2 * l; row++)
+            for (column = 0; column <= 2 * l; column++)
+                kernel_output(k, out, block_offset(l) + row * (2 * l + 1) + column, b.at[l][row][column]);
+    return k;
+}
+
+kernel *describe_sh_rotate_by(int bands) {
+    kernel *k = named_kernel("sh_rotate_by", "rotation of one vector by the matrices of sh_rotation", bands);
+    int b = kernel_param(k, "blocks", PARAM_INPUT, block_offset(bands)), l, row, column;
+    int f = kernel_param(k, "f", PARAM_INPUT, bands * bands), out = kernel_param(k, "out", PARAM_OUTPUT, bands * bands);
+    for (l = 0; l < bands; l++)
+        for (row = 0; row <= 2 * l; row++) {
+            node sum = k_const(k, 0);
+            for (column = 0; column <= 2 * l; column++)
+                sum = k_madd(k, k_element(k, b, block_offset(l) + row * (2 * l + 1) + column),
+                             k_element(k, f, l * l + column), sum);
+            kernel_output(k, out, l * l + row, sum);
+        }
+    return k;
+}
+
+/* ---- the matrices of the swap ---- */
 
 /* Every entry is the root of an integer over 2^(l-1): rounded to that form it is exact, ones and zeros among them. */
 static xreal exact(int l, xreal v) {
@@ -44,16 +101,25 @@ static xreal exact(int l, xreal v) {
     return (v < 0 ? -1 : 1) * x_sqrt((xreal)whole) / scale;
 }
 
-static xreal swap_entry(int l, int m, int k) {
-    if (block[0][0][0] == 0) {
-        int i, a, b;
-        block[0][0][0] = 1;
-        block[1][0][1] = block[1][1][0] = block[1][2][2] = 1;          /* y and z trade places, x stays */
-        for (i = 2; i < LARGEST; i++)
-            for (a = -i; a <= i; a++)
-                for (b = -i; b <= i; b++) block[i][i + a][i + b] = exact(i, recursion(i, a, b));
+static xreal swap_entry(int l, int m, int column) {
+    static xreal swap[LARGEST][SIZE][SIZE];
+    if (swap[0][0][0] == 0) {
+        static const int yz[9] = { 1, 0, 0, 0, 0, 1, 0, 1, 0 };        /* y and z trade places, x stays */
+        static blocks b;
+        kernel *k = kernel_new("swap", "constants alone");
+        node r[9];
+        int i, row, c;
+        for (i = 0; i < 9; i++) r[i] = k_const(k, yz[i]);
+        rotation_blocks(k, LARGEST, r, &b);
+        for (i = 0; i < LARGEST; i++)
+            for (row = 0; row <= 2 * i; row++)
+                for (c = 0; c <= 2 * i; c++) {
+                    xreal v = k->nodes[b.at[i][row][c]].value;
+                    swap[i][row][c] = i < 2 ? v : exact(i, v);
+                }
+        kernel_free(k);
     }
-    return block[l][l + m][l + k];
+    return swap[l][l + m][l + column];
 }
 
 /* ---- the same in float ----
@@ -249,13 +315,32 @@ kernel *describe_sh_turn(int bands) {
     return k;
 }
 
+/* A matrix of determinant -1 is -1 times a rotation, and M(-R) = (-1)^l M(R); bands 1, and 2 alone, take R as it is. */
+void rotate_by_matrix(kernel *k, int bands, const node r[9], node *f) {
+    node proper[9], turn[6] = { 0 }, zero = k_const(k, 0), one = k_const(k, 1), det = zero, side;
+    int i, l;
+    if (bands < 4) {
+        rotate_nodes(k, bands, r, turn, f);
+        return;
+    }
+    for (i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, h = (i + 2) % 3;
+        det = k_madd(k, r[i], k_sub(k, k_mul(k, r[3 + j], r[6 + h]), k_mul(k, r[3 + h], r[6 + j])), det);
+    }
+    side = k_select(k, det, zero, k_const(k, -1), one);
+    for (i = 0; i < 9; i++) proper[i] = k_mul(k, side, r[i]);
+    rotation_turn(k, proper, turn);
+    rotate_nodes(k, bands, r, turn, f);
+    for (l = 3; l < bands; l += 2)
+        for (i = l * l; i < (l + 1) * (l + 1); i++) f[i] = k_mul(k, side, f[i]);
+}
+
 kernel *describe_sh_rotate_matrix(int bands) {
-    kernel *k = named_kernel("sh_rotate", "rotation of one vector by a matrix of determinant 1", bands);
-    node r[9], turn[6], f[LARGEST * LARGEST];
+    kernel *k = named_kernel("sh_rotate", "rotation or reflection of one vector by a matrix", bands);
+    node r[9], f[LARGEST * LARGEST];
     input_nodes(k, "r", 9, r);
     input_nodes(k, "f", bands * bands, f);
-    rotation_turn(k, r, turn);
-    rotate_nodes(k, bands, r, turn, f);
+    rotate_by_matrix(k, bands, r, f);
     output_nodes(k, "out", bands * bands, f);
     return k;
 }

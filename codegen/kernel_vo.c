@@ -27,9 +27,8 @@ kernel *describe_vo_direct(int bands) {
 
 /* sin^2 of the angle between unit vectors, 1 from 90 degrees on */
 static node sine_squared(kernel *k, vec d, vec l) {
-    node x = k_sub(k, k_mul(k, d.y, l.z), k_mul(k, d.z, l.y)), y = k_sub(k, k_mul(k, d.z, l.x), k_mul(k, d.x, l.z));
-    node z = k_sub(k, k_mul(k, d.x, l.y), k_mul(k, d.y, l.x)), one = k_const(k, 1);
-    node s = k_madd(k, x, x, k_madd(k, y, y, k_mul(k, z, z)));
+    vec cross = vec_cross(k, d, l);
+    node one = k_const(k, 1), s = vec_dot(k, cross, cross);
     return k_select(k, k_const(k, 0), vec_dot(k, d, l), k_min(k, s, one), one);
 }
 
@@ -116,5 +115,38 @@ kernel *describe_vo_sent(int bands) {
     sum = vec_times(k, diffuse, vec_add(k, vec_scale(k, dd, own_diffuse), vec_scale(k, ds, own_specular)));
     sum = vec_add(k, sum, vec_times(k, specular, vec_scale(k, ss, own_specular)));
     vec_result(k, vec_times(k, color, sum));
+    return k;
+}
+
+/* One wave of prt_vo_bend on one direction of an occluder; wave: amplitude, frequency, phase. v is turned about
+   cross(along, across) by the angle of tangent frequency amplitude cos(frequency time + along.position + phase). */
+kernel *describe_vo_bend(int bands) {
+    kernel *k = kernel_new("vo_bend", "a direction of an occluder under a wave");
+    vec along = vec_param(k, "along"), across = vec_param(k, "across"), wave = vec_param(k, "wave"), position, v, axis;
+    node one = k_const(k, 1), time = real_param(k, "time"), angle, slope, cosine, sine;
+    (void)bands;
+    position = vec_param(k, "position");
+    v = vec_param(k, "v");
+    axis = vec_cross(k, along, across);
+    angle = k_add(k, k_madd(k, wave.y, time, wave.z), vec_dot(k, along, position));
+    slope = k_mul(k, k_mul(k, wave.x, wave.y), k_cos(k, angle));
+    cosine = k_div(k, one, k_sqrt(k, k_madd(k, slope, slope, one)));
+    sine = k_mul(k, slope, cosine);
+    vec_result(k, vec_add(k, vec_add(k, vec_scale(k, cosine, v), vec_scale(k, sine, vec_cross(k, axis, v))),
+                          vec_scale(k, k_mul(k, k_sub(k, one, cosine), vec_dot(k, axis, v)), axis)));
+    return k;
+}
+
+/* A direction of a packed occluder, from its octahedral coordinates -1 ... 1 [Cigolle 2014] */
+kernel *describe_vo_unfold(int bands) {
+    kernel *k = kernel_new("vo_unfold", "a unit vector from octahedral coordinates");
+    node x = real_param(k, "x"), y = real_param(k, "y"), zero = k_const(k, 0), below;
+    vec v;
+    (void)bands;
+    v.z = k_sub(k, k_sub(k, k_const(k, 1), k_abs(k, x)), k_abs(k, y));
+    below = above0(k, k_neg(k, v.z));
+    v.x = k_select(k, x, zero, k_add(k, x, below), k_sub(k, x, below));
+    v.y = k_select(k, y, zero, k_add(k, y, below), k_sub(k, y, below));
+    vec_result(k, vec_direction(k, v, NULL));
     return k;
 }

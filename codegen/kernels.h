@@ -39,6 +39,7 @@ node k_sine(kernel *k, node angle);                    /* |angle| <= pi/2 */
 node k_arc_cosine(kernel *k, node cosine);             /* clamped to -1 ... 1 */
 node k_arc_tangent(kernel *k, node y, node x);         /* of y/x in -pi ... pi, as atan2; 0 at 0, 0 */
 node k_power(kernel *k, node base, node exponent);     /* base >= 0; 1 where the exponent is not above 0 */
+node k_exponential_slope(kernel *k, node v);           /* (e^v - 1)/v, v <= 0 */
 
 /* Vectors of three nodes (vec.c) */
 typedef struct vec { node x, y, z; } vec;
@@ -49,6 +50,7 @@ vec  vec_sub(kernel *k, vec a, vec b);
 vec  vec_scale(kernel *k, node s, vec a);
 vec  vec_times(kernel *k, vec a, vec b);               /* component by component */
 vec  vec_add(kernel *k, vec a, vec b);
+vec  vec_cross(kernel *k, vec a, vec b);
 node vec_length(kernel *k, vec a);
 vec  vec_direction(kernel *k, vec a, node *length);    /* unit, zero for the zero vector; length may be NULL */
 void vec_result(kernel *k, vec value);                 /* what the function returns */
@@ -56,17 +58,20 @@ node real_param(kernel *k, const char *name);
 void real_result(kernel *k, node value);
 
 /* Parts of kernels, from nodes to nodes */
-void rotation_turn(kernel *k, const node r[9], node turn[6]);          /* cos, sin of a, b, g: R = Rz(a) Ry(b) Rz(g) */
-void rotate_nodes(kernel *k, int bands, const node *r, const node turn[6], node *f);      /* f is replaced */
+void rotate_by_matrix(kernel *k, int bands, const node r[9], node *f); /* f is replaced */
 void product_nodes(kernel *k, int bands, const node *f, const node *g, node *out);
-void window_weights(int bands, int positive, xreal *weight);           /* Hann or positive, as wide as the bands */
+void circle_product_nodes(kernel *k, int bands, const node *f, const node *g, node *out);  /* the same by circles */
+typedef void window(int bands, xreal *weight);         /* weights of bands 0 ... bands-1, width = bands */
+window hann_weights, lanczos_weights, positive_weights;
 void input_nodes(kernel *k, const char *name, int count, node *values);
 void output_nodes(kernel *k, const char *name, int count, const node *values);
 
 factor sh_factor_a, ch_factor_a, ch_factor_c;
 void print_swaps(FILE *to);                            /* tables and code of the swap of y and z, four lanes */
 
-void print_grid_tables(FILE *to, int bands);           /* table_grid.c */
+int   grid_quarter(int bands);                         /* table_grid.c: node pairs in the grid of a product */
+xreal node_factor(int bands, int pair, int l, int m);
+void print_grid_tables(FILE *to, int bands);
 void print_node_tables(FILE *to, int bands);
 void print_window_tables(FILE *to, int widest);        /* kernel_project.c */
 

@@ -173,7 +173,8 @@ const dialect dialect_header_block = {
 static const char *safe_name(const char *name) {
     static const char *const taken[][2] = {
         { "out", "result" }, { "in", "source" }, { "filter", "mask" }, { "sample", "sample_" }, { "half", "half_" },
-        { "input", "source" }, { "output", "result" }, { "inout", "inout_" }, { "active", "active_" }
+        { "input", "source" }, { "output", "result" }, { "inout", "inout_" }, { "active", "active_" },
+        { "matrix", "matrix_" }
     };
     size_t i;
     for (i = 0; i < sizeof taken / sizeof taken[0]; i++)
@@ -404,15 +405,18 @@ static void expression(printer *p, node n, char *text, place where) {
     strcpy(text, name);
 }
 
-/* Every output into a temporary, so that the stores that follow need no load any more. */
-static void print_values(printer *p) {
+static void print_value(printer *p, node n) {
     char text[EXPRESSION_MAX], name[16];
+    expression(p, n, text, STATEMENT);
+    if (!p->temporary[n] && p->k->nodes[n].op != OP_CONST) keep_temporary(p, n, text, name);
+}
+
+/* What is staged into temporaries; if all stores come last every output too, so that none needs a load any more */
+static void print_values(printer *p) {
     int i;
-    for (i = 0; i < p->k->output_count; i++) {
-        node n = p->k->outputs[i].value;
-        expression(p, n, text, STATEMENT);
-        if (!p->temporary[n] && p->k->nodes[n].op != OP_CONST) keep_temporary(p, n, text, name);
-    }
+    for (i = 0; i < p->k->stage_count; i++)
+        if (p->k->nodes[p->k->stages[i]].uses) print_value(p, p->k->stages[i]);
+    for (i = 0; p->k->stores_last && i < p->k->output_count; i++) print_value(p, p->k->outputs[i].value);
 }
 
 void print_kernel(FILE *to, const dialect *d, kernel *k, const char *name) {
@@ -423,7 +427,7 @@ void print_kernel(FILE *to, const dialect *d, kernel *k, const char *name) {
     printer_open(&p, to, d, k, "    ");
     print_summary(to, d, k);
     d->open(to, k, name);
-    if (k->stores_last) print_values(&p);
+    print_values(&p);
     for (i = 0; i < k->output_count; i++) {
         const output *o = &k->outputs[i];
         const param *into = &k->params[o->param];

@@ -18,7 +18,7 @@ static void table_entry(table_printer *t, xreal value, int is_last) {
 }
 
 /* Node pairs in the grid of so many bands, and angles in a quarter turn of it */
-static int grid_quarter(int bands) { return (3 * bands + 1) / 4; }
+int grid_quarter(int bands) { return (3 * bands + 1) / 4; }
 
 /* Gauss-Legendre nodes z >= 0 and weights of the grids of 1 ... bands bands, one grid after the other; weights times
    pi/(2q), the length of an arc of azimuth, and half for the equator, which is used twice. */
@@ -55,8 +55,16 @@ static xreal cube_root(xreal v) {                                  /* 0 < v < 8 
     return r;
 }
 
-/* One row for each l and m: the factor at the nodes z >= 0, which the macro repeats, or negates, for those at -z. The
-   equator, which stands on both sides, has half its weight; what is left of a row is 0. */
+/* q(l,m) of the circles at z and -z, z >= 0; the equator, which stands on both sides, has half its weight */
+xreal node_factor(int bands, int pair, int l, int m) {
+    xreal z, w;
+    x_gauss((3 * bands - 1) / 2, pair, &z, &w);
+    if (!(z > 0)) { z = 0; w /= 2; }
+    return x_harmonic(l, m, z) * (m ? x_sqrt(2) : 1) * cube_root(w * x_pi() / 2) * (m ? 1 : 2);
+}
+
+/* One row for each l and m: the factor at the nodes z >= 0, which the macro repeats, or negates, for those at -z. What
+   is left of a row is 0. */
 static void print_node_table(FILE *to, int bands) {
     int pairs = grid_quarter(bands), most = bands == 3 ? 2 : 4, l, m, i;
     fprintf(to, "/* factors of the product of %d bands at %d nodes z >= 0 and their mirror images */\n", bands, pairs);
@@ -67,13 +75,7 @@ static void print_node_table(FILE *to, int bands) {
             fprintf(to, "        PRT__%s_%d(", (l - m) & 1 ? "ODD" : "EVEN", most);
             for (i = 0; i < most; i++) {
                 char text[64];
-                xreal z, w, q = 0;
-                if (i < pairs) {
-                    x_gauss((3 * bands - 1) / 2, i, &z, &w);
-                    if (!(z > 0)) { z = 0; w /= 2; }
-                    q = x_harmonic(l, m, z) * (m ? x_sqrt(2) : 1) * cube_root(w * x_pi() / 2) * (m ? 1 : 2);
-                }
-                x_print(q, 20, text);
+                x_print(i < pairs ? node_factor(bands, i, l, m) : 0, 20, text);
                 fprintf(to, "%s%s", i ? ", " : "", text);
             }
             fprintf(to, ")%s\n", l + 1 == bands && m == l ? "" : ",");

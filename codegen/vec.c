@@ -46,6 +46,13 @@ vec vec_times(kernel *k, vec a, vec b) {
     a.x = k_mul(k, a.x, b.x); a.y = k_mul(k, a.y, b.y); a.z = k_mul(k, a.z, b.z);
     return a;
 }
+vec vec_cross(kernel *k, vec a, vec b) {
+    vec c;
+    c.x = k_sub(k, k_mul(k, a.y, b.z), k_mul(k, a.z, b.y));
+    c.y = k_sub(k, k_mul(k, a.z, b.x), k_mul(k, a.x, b.z));
+    c.z = k_sub(k, k_mul(k, a.x, b.y), k_mul(k, a.y, b.x));
+    return c;
+}
 node vec_length(kernel *k, vec a) { return k_sqrt(k, vec_dot(k, a, a)); }
 
 vec vec_direction(kernel *k, vec a, node *length) {

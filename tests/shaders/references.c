@@ -152,6 +152,77 @@ static void vo_sent(const double *in, double *out) {
     out[0] = all.r - direct.r; out[1] = all.g - direct.g; out[2] = all.b - direct.b;
 }
 
+static void window_dering(int n, const double *in, double *out) {
+    int l, i;
+    for (l = 0, i = 0; l < n; l++) {
+        double p = prt_window_weight(PRT_WINDOW_POSITIVE, l, n), s = in[0], w = s < 1 ? 1 - s + s * p : (2 - s) * p;
+        for (; i < (l + 1) * (l + 1); i++) out[i] = (l ? w : 1) * in[1 + i];
+    }
+}
+
+/* The light whose constants these are, through its irradiance in SH */
+static void irradiance_packed(const double *in, double *out) {
+    double light[27], irradiance[9];
+    int c;
+    prt_sh_unpack_irradiance(in, light);
+    for (c = 0; c < 3; c++) {
+        prt_sh_irradiance(3, light + 9 * c, irradiance);
+        out[c] = prt_sh_at(3, irradiance, vec3_of(in + 28)) / PRT__PI;
+    }
+}
+
+/* 1 + f + f f/2 + f f f/6 + f f f f/24, each power from the one before */
+static void exp_series(int n, const double *f, double *out) {
+    double power[64], factor = 1;
+    int h, i;
+    for (i = 0; i < n * n; i++) out[i] = power[i] = f[i];
+    out[0] += sqrt(4 * PRT__PI);
+    for (h = 2; h <= 4; h++) {
+        prt_sh_product(n, f, power, power);
+        factor /= h;
+        for (i = 0; i < n * n; i++) out[i] += factor * power[i];
+    }
+}
+
+static void fiv_add(const double *in, double *out) {
+    prt_fiv f = fiv_of(in);
+    prt_fiv_add(&f, vec3_of(in + 9), rgb_of(in + 12));
+    memcpy(out, &f, sizeof f);
+}
+
+/* A table of one sample, which is this one */
+static void fiv_transfer(int n, const double *in, double *out) {
+    prt_fiv_transfer t;
+    memset(&t, 0, sizeof t);
+    t.bands = n;
+    t.theta_count = t.phi_count = t.rho_count = 1;
+    t.samples = in;
+    prt_fiv_transfer_samples(&t, in + (n + 1) * (n + 1), 0, 1, (prt_fiv *)(void *)out);
+}
+
+static void vo_bend(const double *in, double *out) {
+    prt_vo_wave wave;
+    prt_vo_occluder o;
+    memset(&o, 0, sizeof o);
+    wave.along = vec3_of(in);
+    wave.across = vec3_of(in + 3);
+    wave.amplitude = in[6]; wave.frequency = in[7]; wave.phase = in[8];
+    o.caustic = vec3_of(in + 13);
+    prt_vo_bend(1, &wave, in[9], vec3_of(in + 10), 1, &o, &o);
+    memcpy(out, &o.caustic, sizeof o.caustic);
+}
+
+/* From the definition: fold a unit vector, and see that it comes back */
+static void vo_unfold(const double *in, double *out) {
+    double z = 1 - fabs(in[0]) - fabs(in[1]), x = in[0], y = in[1], length;
+    if (z < 0) {
+        x = (1 - fabs(in[1])) * (in[0] < 0 ? -1 : 1);
+        y = (1 - fabs(in[0])) * (in[1] < 0 ? -1 : 1);
+    }
+    length = sqrt(x * x + y * y + z * z);
+    out[0] = x / length; out[1] = y / length; out[2] = z / length;
+}
+
 /* X(kernel, approximation, call): the second is how far, over the largest output, the kernel's own formulas may be from
    those of prt.h, 0 unless it approximates a function. */
 #define REFERENCES(X) \
@@ -170,15 +241,27 @@ static void vo_sent(const double *in, double *out) {
     X(sh_window_hann, 0, prt_sh_window(n, PRT_WINDOW_HANN, n, in, out)) \
     X(sh_window_lanczos, 0, prt_sh_window(n, PRT_WINDOW_LANCZOS, n, in, out)) \
     X(sh_window_positive, 0, prt_sh_window(n, PRT_WINDOW_POSITIVE, n, in, out)) \
+    X(sh_window_dering, 0, window_dering(n, in, out)) \
+    X(sh_irradiance_packed, 0, irradiance_packed(in, out)) \
+    X(sh_rotation, 0, prt_sh_rotation(n, in, out)) \
+    X(sh_rotate_by, 0, prt_sh_rotate_by(n, in, in + prt_sh_rotation_count(n), out)) \
     X(sh_rotate, 0, prt_sh_rotate(n, in, in + 9, out)) \
     X(shade_diffuse_four, 0, prt_shade_diffuse(2, in, in + 4, (prt_rgb *)(void *)out)) \
     X(sh_rotate_turned, 0, prt_sh_rotate(n, in, in + 9 + 6, out)) \
-    X(sh_turn, 0, prt__euler(in, out)) \
+    X(sh_turn, 0, prt__euler(in, (prt__angles *)(void *)out)) \
     X(sh_rotate_z, 0, prt_sh_rotate_z(n, in[0], in + 1, out)) \
     X(rotation_from_quaternion, 0, prt_rotation_from_quaternion(in, out)) \
     X(sh_zonal_to, 0, prt_sh_zonal_to(n, in, vec3_of(in + n), out)) \
     X(sh_product_zonal, 0, prt_sh_product_zonal(n, in, in + n * n, out)) \
     X(sh_mask_hann, 0, prt_sh_mask(n, PRT_WINDOW_HANN, in, in + n * n, out)) \
+    X(sh_mask_lanczos, 0, prt_sh_mask(n, PRT_WINDOW_LANCZOS, in, in + n * n, out)) \
+    X(sh_mask_positive, 0, prt_sh_mask(n, PRT_WINDOW_POSITIVE, in, in + n * n, out)) \
+    X(sh_mask_filter_hann, 0, prt_sh_mask_filter(n, PRT_WINDOW_HANN, in, in + n * n, out)) \
+    X(sh_mask_filter_lanczos, 0, prt_sh_mask_filter(n, PRT_WINDOW_LANCZOS, in, in + n * n, out)) \
+    X(sh_product_matrix, 0, prt_sh_product_matrix(n, in, out)) \
+    X(sh_product_by, 0, prt_sh_product_by(n, in, in + n * n * n * n, out)) \
+    X(sh_exp_series, 0, exp_series(n, in, out)) \
+    X(sh_exp_linear, 1e-10, prt_sh_exp_linear(n, in, out)) \
     X(sh_mask_filter_positive, 0, prt_sh_mask_filter(n, PRT_WINDOW_POSITIVE, in, in + n * n, out)) \
     X(ch_from_sh, 0, prt_ch_from_sh(n, in, out)) \
     X(sh_from_ch, 0, prt_sh_from_ch(n, in, out)) \
@@ -188,6 +271,8 @@ static void vo_sent(const double *in, double *out) {
     X(ch_rotate, 0, prt_ch_rotate(n, in, in + 9, out)) \
     X(ch_product, 0, prt_ch_product(n, in, in + n * n, out)) \
     X(fiv_irradiance, 0, prt_fiv f = fiv_of(in); prt_rgb c = prt_fiv_irradiance(&f, vec3_of(in + 9)); memcpy(out, &c, sizeof c)) \
+    X(fiv_add, 0, fiv_add(in, out)) \
+    X(fiv_transfer, 0, fiv_transfer(n, in, out)) \
     X(fiv_place, 4e-9, fiv_place(in, out)) \
     X(fiv_blend, 0, fiv_blend(in, in + 72, out)) \
     X(fiv_taken, 4e-9, fiv_taken(in, out)) \
@@ -197,6 +282,8 @@ static void vo_sent(const double *in, double *out) {
     X(vo_pass, 0, vo_pass(0, in, out)) \
     X(vo_pass_cap, 0, vo_pass(1, in, out)) \
     X(vo_sent, 0, vo_sent(in, out)) \
+    X(vo_bend, 0, vo_bend(in, out)) \
+    X(vo_unfold, 0, vo_unfold(in, out)) \
     X(sh_dot, 0, *out = prt_sh_dot(n, in, in + n * n)) \
     X(sh_product, 0, prt_sh_product(n, in, in + n * n, out)) \
     X(sh_square, 0, prt_sh_square(n, in, out)) \
@@ -265,18 +352,36 @@ static double fill_scalar(const char *name, int item) {
     if (!strncmp(name, "radius", 6)) return item % 7 == 0 ? 0 : 2 * u;
     if (!strcmp(name, "angle")) return item % 7 == 0 ? 0 : 2 * PRT__PI * (2 * u - 1);
     if (!strcmp(name, "shininess")) return item % 7 == 0 ? 0 : 20 * u;
+    if (!strcmp(name, "strength")) return item % 7 == 0 ? 0 : item % 7 == 1 ? 1 : item % 7 == 2 ? 2 : 2 * u;
     if (!strcmp(name, "gloss")) return 1 + 15 * u;
     return 2 * u - 1;
 }
 
-/* A rotation, any or about z, and after it its cosines and sines. */
-static void fill_rotation(int item, double *r) {
+/* A rotation, any or about z, and after it its cosines and sines; or a reflection. */
+static void fill_rotation(int item, int reflect, double *r) {
     double q[4], turn[8];
     int i;
     for (i = 0; i < 4; i++) q[i] = item < SPECIAL && item % 4 != i && (i == 1 || i == 2) ? 0 : 2 * uniform() - 1;
     prt_rotation_from_quaternion(q, r);
-    prt__euler(r, turn);
+    prt__euler(r, (prt__angles *)(void *)turn);
     memcpy(r + 9, turn, 6 * sizeof *turn);
+    for (i = 0; reflect && i < 9; i++) r[i] = -r[i];
+}
+
+/* A unit vector at right angles to the one before it */
+static void fill_across(double *v) {
+    double length = 0;
+    int axis = fabs(v[-3]) < 0.6 ? 0 : fabs(v[-2]) < 0.6 ? 1 : 2, i;
+    for (i = 0; i < 3; i++) v[i] = (i == axis) - v[axis - 3] * v[i - 3];
+    for (i = 0; i < 3; i++) length += v[i] * v[i];
+    for (i = 0; i < 3; i++) v[i] /= sqrt(length);
+}
+
+static int has_turn(const kernel *k) {                 /* and so takes rotations alone */
+    int i;
+    for (i = 0; i < k->param_count; i++)
+        if (!strcmp(k->params[i].name, "turn")) return 1;
+    return 0;
 }
 
 void fill_inputs(const kernel *k, int item, double *in) {
@@ -284,13 +389,14 @@ void fill_inputs(const kernel *k, int item, double *in) {
     for (i = 0; i < k->param_count; i++) {
         const param *p = &k->params[i];
         if (p->kind == PARAM_DIRECTION) {
-            if (one_of(p->name, "dir axis up normal to_centre to_centre2 occlusion caustic diffuse_normal specular_normal"))
+            if (!strcmp(p->name, "across")) fill_across(in);
+            else if (one_of(p->name, "along v dir axis up normal to_centre to_centre2 occlusion caustic diffuse_normal specular_normal"))
                 fill_direction(p->name, item, in);
             else fill_triple(p->name, in);
             in += 3;
         }
         else if (p->kind == PARAM_SCALAR) *in++ = fill_scalar(p->name, item);
-        else if (!strcmp(p->name, "r")) { fill_rotation(item, in); in += 9; }
+        else if (!strcmp(p->name, "r")) { fill_rotation(item, item % 5 == 4 && !has_turn(k), in); in += 9; }
         else if (!strcmp(p->name, "turn")) in += 6;
         else if (p->kind == PARAM_INPUT || p->kind == PARAM_FOUR)
             for (j = 0; j < p->count; j++) *in++ = 2 * uniform() - 1;

@@ -26,7 +26,7 @@
 #include "runner.h"
 #include "wrapper.h"
 
-enum { ITEMS = 2048 };
+enum { ITEMS = 2048, LONG_ITEMS = 512, LONG = 128 };   /* fewer inputs where they and the outputs are more than LONG */
 static char folder[64];                                /* of what external tools read and write */
 
 /* ---- targets ---- */
@@ -190,11 +190,11 @@ static int prepare_webgpu(const job *jobs, int count) {
     snprintf(path, sizeof path, "%s/jobs", folder);
     list = fopen(path, "w");
     if (!list) return why_set(&reason, "cannot write %s", path);
-    for (i = 0; i < count; i++) fprintf(list, "%zu %d\n", sizeof(float) * (size_t)(ITEMS * jobs[i].work.outs), ITEMS / 64);
+    for (i = 0; i < count; i++) fprintf(list, "%zu %d\n", sizeof(float) * (size_t)(jobs[i].work.items * jobs[i].work.outs), jobs[i].work.items / 64);
     fclose(list);
     for (i = 0; i < count && !bad; i++) {
         snprintf(path, sizeof path, "%s/%d.in", folder, i);
-        bad = write_bytes(path, jobs[i].work.in, sizeof(float) * (size_t)(ITEMS * jobs[i].work.ins));
+        bad = write_bytes(path, jobs[i].work.in, sizeof(float) * (size_t)(jobs[i].work.items * jobs[i].work.ins));
     }
     if (bad || shell("node %s/webgpu.mjs chromium %s >%s/name", PRT_SHADER_TESTS, folder, folder)) return -1;
     snprintf(path, sizeof path, "%s/name", folder);
@@ -306,8 +306,8 @@ static double round_input(double v, precision p) {
 
 static double description_error(const job *j, const reference *r, double *largest) {
     static const arithmetic exact = { DBL_EPSILON / 2, DBL_EPSILON / 2, DBL_EPSILON, 0 };
-    double in[1024], out[256] = { 0 }, worst = 0;
-    bounded got[256];
+    double in[1024], out[512] = { 0 }, worst = 0;
+    bounded got[512];
     int item, i;
     *largest = 0;
     for (item = 0; item < 256; item++) {
@@ -326,9 +326,9 @@ static double description_error(const job *j, const reference *r, double *larges
 static void compare(const job *j, const target *t, outcome *o) {
     const arithmetic a = arithmetic_of(t);
     double values[1024];
-    bounded want[256];
+    bounded want[512];
     int item, i;
-    for (item = 0; item < ITEMS; item++) {
+    for (item = 0; item < j->work.items; item++) {
         for (i = 0; i < j->work.ins; i++) values[i] = (double)j->work.in[item * j->work.ins + i];
         bound_kernel(j->k, values, a, want);
         for (i = 0; i < j->work.outs; i++) {
@@ -352,13 +352,13 @@ static int open_job(job *j, const family *f, int bands, precision p) {
     j->bands = bands;
     j->k = f->describe(bands);
     kernel_count_uses(j->k);
-    j->work.items = ITEMS;
     j->work.ins = kernel_inputs(j->k);
     j->work.outs = kernel_outputs(j->k);
-    j->work.in = in = (float *)calloc((size_t)ITEMS * (size_t)j->work.ins + 1, sizeof *in);
-    j->work.out = (float *)calloc((size_t)ITEMS * (size_t)j->work.outs, sizeof *in);
+    j->work.items = j->work.ins + j->work.outs > LONG ? LONG_ITEMS : ITEMS;
+    j->work.in = in = (float *)calloc((size_t)j->work.items * (size_t)j->work.ins + 1, sizeof *in);
+    j->work.out = (float *)calloc((size_t)j->work.items * (size_t)j->work.outs, sizeof *in);
     if (!in || !j->work.out) return why_set(&reason, "out of memory");
-    for (item = 0; item < ITEMS; item++) {
+    for (item = 0; item < j->work.items; item++) {
         fill_inputs(j->k, item, values);
         for (i = 0; i < j->work.ins; i++) in[item * j->work.ins + i] = (float)round_input(values[i], p);
     }
@@ -475,12 +475,12 @@ static int write_page(const char *path) {
     if (!page) return why_set(&reason, "cannot write %s", path);
     fprintf(page,
         "<!-- Written by test_shaders --markdown: do not edit. -->\n# Generated kernels in every language, against prt.h\n\n"
-        "4 bands, %d inputs each, the axes, places from 1e-0.5 to 1e-9 rad off the poles, zero and full cones and vectors of\n"
+        "4 bands, %d inputs each (%d where a call has more than %d numbers), the axes, places from 1e-0.5 to 1e-9 rad off the poles, zero and full cones and vectors of\n"
         "length 0 among them. *Largest output*: to set errors against. *Description*: largest difference between the description,\n"
         "evaluated in double, and the function of prt.h in double, over the largest output; above 1e-13 it is that of the\n"
         "polynomials that stand for sine and arc functions. The other columns: largest difference between what the language\n"
         "computed and the description in double at the same inputs; in parentheses the largest share of the running error bound\n"
-        "that the operations of the kernel allow: above 1 the test fails. –: not run here.\n\n", ITEMS);
+        "that the operations of the kernel allow: above 1 the test fails. –: not run here.\n\n", ITEMS, LONG_ITEMS, LONG);
     fprintf(page,
         "How each was run. c: the C compiler (%s). metal: as C++ through a shim of `<metal_stdlib>`; no Metal compiler was at\n"
         "hand, so Metal's own rules were not checked. glsl330: fragment shader, glsl430: compute shader, by OSMesa (llvmpipe).\n"

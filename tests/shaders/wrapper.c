@@ -131,6 +131,8 @@ static void wrap_function(FILE *to, kernel *k, const char *language, precision p
     fprintf(to, "}\n");
 }
 
+/* Sums of indices are left to right, item * N + 1 + i: with parentheses about 1 + i Mesa 22.3 takes that sum for the
+   loop's own next i where the loop is too long to be unrolled, and fills the array one place too far. */
 static void wrap_compute(FILE *to, kernel *k, const char *language, precision p, const char *version) {
     int ins = kernel_inputs(k), outs = kernel_outputs(k);
     const dialect *d = find_dialect(language, p);
@@ -145,7 +147,7 @@ static void wrap_compute(FILE *to, kernel *k, const char *language, precision p,
     if (!strcmp(language, "wgsl"))
         fprintf(to, "@group(0) @binding(0) var<storage, read> ins: array<f32>;\n"
                     "@group(0) @binding(1) var<storage, read_write> outs: array<f32>;\n");
-    else fprintf(to, "#define IN(i) ins[item * %d + (i)]\n#define OUT(i, v) outs[item * %d + (i)] = float(v)\n", ins, outs);
+    else fprintf(to, "#define IN(i) ins[item * %d + i]\n#define OUT(i, v) outs[item * %d + i] = float(v)\n", ins, outs);
     print_kernel(to, d, k, "prt_kernel");
     if (!strcmp(language, "glsl")) fprintf(to, "void main() {\n    int item = int(gl_GlobalInvocationID.x);\n");
     if (!strcmp(language, "hlsl"))
@@ -161,7 +163,7 @@ static void wrap_fragment(FILE *to, kernel *k, precision p, const char *version)
     const dialect *d = find_dialect("glsl", p);
     fprintf(to, "#version %s\n%s", version, d->preamble);
     print_types(to, "glsl", p);
-    fprintf(to, "uniform samplerBuffer source_;\nout vec4 color;\n#define IN(i) texelFetch(source_, item * %d + (i)).r\n"
+    fprintf(to, "uniform samplerBuffer source_;\nout vec4 color;\n#define IN(i) texelFetch(source_, item * %d + i).r\n"
                 "#define OUT(i, v) if ((i) == int(gl_FragCoord.x)) color = vec4(v)\n", kernel_inputs(k));
     print_kernel(to, d, k, "prt_kernel");
     fprintf(to, "void main() {\n    int item = int(gl_FragCoord.y);\n");
