@@ -54,7 +54,7 @@
      >>rotate     rotation: matrices, one shot, one or many vectors, about z, zonal functions
      >>product    products, squares, masks, logarithm and exponential; triple product coefficients
      >>ch         cpherical harmonics: evaluation, norms, conversion, moments, dot product, rotation, product
-     >>shade      exit radiance from transfer
+     >>shade      exit radiance from transfer, at 32 bits a coefficient or packed into 16 or 8
      >>fiv        moving occluders: fullsphere irradiance vectors, lookup, shadow, self-shadow
      >>vo         vector occluders: shadows, caustics and interreflections of point lights
      >>reference  slow evaluators by other routes, for tests
@@ -664,6 +664,33 @@ PRTDEF prt_result prt_shade_diffuse_rgb  (int bands, const prt_real *transfer, c
 PRTDEF prt_result prt_shade_diffuse_rgb_n(int bands, int count, const prt_real *transfer, const prt_real *light,
                                           prt_rgb *out);
 
+/* Transfer in half or a quarter of the memory, as prt_transfer_pack (prt_bake.h) writes it:
+     HALF    IEEE half floats, 2 bytes a coefficient: error 2^-11 of each
+     16, 8   integers between the least and the largest value that a coefficient has over all points,
+             v = low_i + step_i q, 2 bytes or 1: the range compression of [Chapter 2010], 4.2, there for textures of
+             8 bits. Error step_i/2.
+   What that costs in pictures: docs/choose.md. */
+typedef enum prt_storage { PRT_STORAGE_HALF = 0, PRT_STORAGE_16, PRT_STORAGE_8 } prt_storage;
+typedef struct prt_packed_transfer {
+    int bands;
+    prt_storage storage;
+    const void *data;                  /* [points][bands^2] uint16_t, or for PRT_STORAGE_8 unsigned char */
+    const prt_real *low, *step;        /* [bands^2]; not read for PRT_STORAGE_HALF */
+} prt_packed_transfer;
+
+/* prt_shade_diffuse from packed transfer for points first ... first+count-1, to the same places of out. Integers are
+   never turned back into transfer: the light takes their steps, once a call, sum_i (low_i + step_i q_i) L_i =
+   sum_i low_i L_i + sum_i q_i (step_i L_i). Each point is the same bits whatever the range.
+   Errors: PRT_ERR_NULL (packed); PRT_ERR_BANDS; PRT_ERR_COUNT (first or count < 0); PRT_ERR_NULL (data, low and step,
+   light, out, with count > 0); PRT_ERR_VALUE (storage). Values are not checked.
+   Cost: 6 n^2 multiply-adds a call, then 3 n^2 and n^2 conversions a point (docs/speed.md). Stack: 64 KB, in double 128,
+   for 64 bands. Accuracy beside that of storage: (n^2/8 + 8) eps sum of (|low_i| + |high_i|) |L_i|. */
+PRTDEF prt_result prt_shade_packed_n(const prt_packed_transfer *packed, int first, int count, const prt_real *light,
+                                     prt_rgb *out);
+
+/* Rows first ... first+count-1 of packed transfer, to the same rows of transfer[points][bands^2]. Errors as above. */
+PRTDEF prt_result prt_transfer_unpack(const prt_packed_transfer *packed, int first, int count, prt_real *transfer);
+
 /* --------------------------------------------------------------------------------------------------- >>fiv ---- */
 
 /* Shadows of moving objects by fullsphere irradiance vectors [Michael 2010]. The vector of a part of the environment is
@@ -1267,6 +1294,38 @@ PRT__INLINE prt__vec prt__vec_root(prt__vec v) {
 #endif
 }
 
+/* v within low ... high; NaN becomes low. */
+PRT__INLINE prt_real prt__clamp(prt_real v, prt_real low, prt_real high) {
+    return v > low ? v < high ? v : high : low;
+}
+
+/* The nearest half float, ties to even; the caller has checked |v| <= 65504. By the bits of a double: a half counts its
+   exponent from -15, its subnormals have steps of 2^-24. */
+PRT__STATIC uint32_t prt__half_of(double v) {
+    uint64_t bits, sign = v < 0 ? 0x8000u : 0;
+    int exponent, shift = 42;
+    memcpy(&bits, &v, sizeof bits);
+    bits &= UINT64_C(0x7fffffffffffffff);
+    exponent = (int)(bits >> 52) - 1023;
+    if (exponent < -25) return (uint32_t)sign;
+    if (exponent < -14) {
+        shift += -14 - exponent;
+        bits = (bits & UINT64_C(0xfffffffffffff)) | UINT64_C(0x10000000000000);
+    } else {
+        bits -= UINT64_C(1008) << 52;
+    }
+    bits += (UINT64_C(1) << (shift - 1)) - 1 + (bits >> shift & 1);
+    return (uint32_t)(sign | bits >> shift);
+}
+
+PRT__INLINE prt_real prt__real_of_half(uint16_t half) {        /* infinity and NaN do not occur */
+    uint32_t size = half & 0x7fffu, bits = (size << 13) + 0x38000000u;
+    float f;
+    memcpy(&f, &bits, sizeof f);
+    if (size < 0x400u) f = (float)size * (1.0f / 16777216);    /* in steps of 2^-24 */
+    return (prt_real)(half & 0x8000u ? -f : f);
+}
+
 #ifdef __cplusplus
 }
 #endif
@@ -1721,6 +1780,14 @@ PRT__INLINE void prt__oct_madd(prt__oct *sum, const prt_real *f, const prt_real 
     memcpy(&a, f, sizeof a);
     memcpy(&b, g, sizeof b);
     *sum += a * b;
+}
+#elif PRT__SIMD
+typedef struct prt__oct { prt__vec part[8 / PRT__LANES]; } prt__oct;
+PRT__INLINE void prt__oct_madd(prt__oct *sum, const prt_real *f, const prt_real *g) {
+    int k;
+    PRT__UNROLL
+    for (k = 0; k < 8 / PRT__LANES; k++)
+        sum->part[k] += prt__vec_load(f + k * PRT__LANES) * prt__vec_load(g + k * PRT__LANES);
 }
 #else
 typedef struct prt__oct { prt_real lane[8]; } prt__oct;
@@ -5558,6 +5625,105 @@ PRTDEF prt_result prt_shade_diffuse_rgb_n(int bands, int count, const prt_real *
     return r;
 }
 
+PRT__INLINE prt_result prt__packed_check(const prt_packed_transfer *p, int first, int count, const void *to) {
+    if (!p) return PRT_ERR_NULL;
+    if (!prt__bands_ok(p->bands)) return PRT_ERR_BANDS;
+    if (first < 0 || count < 0) return PRT_ERR_COUNT;
+    if (count > 0 && (!p->data || !to)) return PRT_ERR_NULL;
+    if (p->storage == PRT_STORAGE_HALF) return PRT_OK;
+    if (count > 0 && (!p->low || !p->step)) return PRT_ERR_NULL;
+    return p->storage == PRT_STORAGE_16 || p->storage == PRT_STORAGE_8 ? PRT_OK : PRT_ERR_VALUE;
+}
+
+/* Eight numbers as reals: halves their values, integers as they stand. Eight is a constant for the compiler's sake. */
+PRT__INLINE void prt__eight_of_words(const uint16_t *from, prt_real *to) {
+    int k;
+    for (k = 0; k < 8; k++) to[k] = (prt_real)from[k];
+}
+PRT__INLINE void prt__eight_of_bytes(const unsigned char *from, prt_real *to) {
+    int k;
+    for (k = 0; k < 8; k++) to[k] = (prt_real)from[k];
+}
+PRT__INLINE void prt__eight_of_halves(const uint16_t *from, prt_real *to) {
+#if PRT__SIMD && defined(__F16C__)
+    typedef short halves __attribute__((vector_size(16)));
+    typedef float floats __attribute__((vector_size(32)));
+    halves h;
+    floats f;
+    int k;
+    memcpy(&h, from, sizeof h);
+    f = __builtin_ia32_vcvtph2ps256(h);
+    for (k = 0; k < 8; k++) to[k] = (prt_real)f[k];
+#else
+    int k;
+    for (k = 0; k < 8; k++) to[k] = prt__real_of_half(from[k]);
+#endif
+}
+
+/* Row `row` of n numbers. */
+PRT__INLINE void prt__packed_row(const prt_packed_transfer *p, int row, int n, prt_real *to) {
+    size_t at = (size_t)row * (size_t)n;
+    const unsigned char *byte = (const unsigned char *)p->data + at;
+    const uint16_t *word = (const uint16_t *)p->data + at;
+    int i = 0;
+    if (p->storage == PRT_STORAGE_8) {
+        for (; i + 8 <= n; i += 8) prt__eight_of_bytes(byte + i, to + i);
+        for (; i < n; i++) to[i] = (prt_real)byte[i];
+    } else if (p->storage == PRT_STORAGE_16) {
+        for (; i + 8 <= n; i += 8) prt__eight_of_words(word + i, to + i);
+        for (; i < n; i++) to[i] = (prt_real)word[i];
+    } else {
+        for (; i + 8 <= n; i += 8) prt__eight_of_halves(word + i, to + i);
+        for (; i < n; i++) to[i] = prt__real_of_half(word[i]);
+    }
+}
+
+/* What the integers of a row meet: the light times the steps; and what all low values together give. */
+PRT__STATIC prt_rgb prt__light_of_steps(const prt_packed_transfer *p, int n, const prt_real *light, prt_real *scaled) {
+    int c, i;
+    for (c = 0; c < 3; c++)
+        for (i = 0; i < n; i++) scaled[c * n + i] = p->step[i] * light[c * n + i];
+    return prt__shade(n, 0, p->low, light);
+}
+
+PRTDEF prt_result prt_shade_packed_n(const prt_packed_transfer *packed, int first, int count, const prt_real *light,
+                                     prt_rgb *out) {
+    prt_real scaled[3 * PRT_SH_COUNT(PRT_MAX_BANDS)], row[PRT_SH_COUNT(PRT_MAX_BANDS)];
+    prt_rgb lowest = { 0, 0, 0 }, shade;
+    prt_result r = prt__packed_check(packed, first, count, out);
+    int n, k;
+    if (r != PRT_OK || count == 0) return r;
+    if (!light) return PRT_ERR_NULL;
+    n = PRT_SH_COUNT(packed->bands);
+    if (packed->storage != PRT_STORAGE_HALF) {
+        lowest = prt__light_of_steps(packed, n, light, scaled);
+        light = scaled;
+    }
+    for (k = first; k < first + count; k++) {
+        prt__packed_row(packed, k, n, row);
+        shade = prt__shade(n, 0, row, light);
+        out[k].r = lowest.r + shade.r;
+        out[k].g = lowest.g + shade.g;
+        out[k].b = lowest.b + shade.b;
+    }
+    return PRT_OK;
+}
+
+PRTDEF prt_result prt_transfer_unpack(const prt_packed_transfer *packed, int first, int count, prt_real *transfer) {
+    prt_real row[PRT_SH_COUNT(PRT_MAX_BANDS)];
+    prt_result r = prt__packed_check(packed, first, count, transfer);
+    int n, k, i;
+    if (r != PRT_OK) return r;
+    n = PRT_SH_COUNT(packed->bands);
+    for (k = first; k < first + count; k++) {
+        prt_real *out = transfer + (size_t)k * (size_t)n;
+        prt__packed_row(packed, k, n, row);
+        for (i = 0; i < n; i++)
+            out[i] = packed->storage == PRT_STORAGE_HALF ? row[i] : packed->low[i] + packed->step[i] * row[i];
+    }
+    return PRT_OK;
+}
+
 /* --------------------------------------------------------------------------------------------------- >>fiv ---- */
 
 PRTDEF void prt_fiv_add(prt_fiv *fiv, prt_vec3 dir, prt_rgb radiance_times_solid_angle) {
@@ -5577,8 +5743,7 @@ PRTDEF prt_rgb prt_fiv_irradiance(const prt_fiv *fiv, prt_vec3 normal) {
     return out;
 }
 
-/* Numbers of either kind within low ... high; NaN becomes low. */
-PRT__INLINE prt_real prt__clamp(prt_real v, prt_real low, prt_real high) { return v > low ? v < high ? v : high : low; }
+/* As prt__clamp, in every lane. */
 PRT__INLINE prt__vec prt__vec_clamp(prt__vec v, prt__vec low, prt__vec high) {
     return PRT__SELECT(v > low, PRT__SELECT(v < high, v, high), low);
 }
@@ -6205,33 +6370,6 @@ PRTDEF prt_result prt_fiv_transfer_samples(const prt_fiv_transfer *table, const 
     for (k = first; k < first + count; k++)
         samples[k] = prt__fiv_under(n, table->samples + (size_t)k * (size_t)n, vectors);
     return PRT_OK;
-}
-
-/* The nearest half float, ties to even; the caller has checked |v| <= 65504. By the bits of a double: a half counts its
-   exponent from -15, its subnormals have steps of 2^-24. */
-PRT__STATIC uint32_t prt__half_of(double v) {
-    uint64_t bits, sign = v < 0 ? 0x8000u : 0;
-    int exponent, shift = 42;
-    memcpy(&bits, &v, sizeof bits);
-    bits &= UINT64_C(0x7fffffffffffffff);
-    exponent = (int)(bits >> 52) - 1023;
-    if (exponent < -25) return (uint32_t)sign;
-    if (exponent < -14) {
-        shift += -14 - exponent;
-        bits = (bits & UINT64_C(0xfffffffffffff)) | UINT64_C(0x10000000000000);
-    } else {
-        bits -= UINT64_C(1008) << 52;
-    }
-    bits += (UINT64_C(1) << (shift - 1)) - 1 + (bits >> shift & 1);
-    return (uint32_t)(sign | bits >> shift);
-}
-
-PRT__INLINE prt_real prt__real_of_half(uint16_t half) {        /* infinity and NaN do not occur */
-    uint32_t size = half & 0x7fffu, bits = (size << 13) + 0x38000000u;
-    float f;
-    memcpy(&f, &bits, sizeof f);
-    if (size < 0x400u) f = (float)size * (1.0f / 16777216);    /* in steps of 2^-24 */
-    return (prt_real)(half & 0x8000u ? -f : f);
 }
 
 /* Sample at index `at`, in the slice of distance k. */

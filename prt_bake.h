@@ -21,12 +21,14 @@
                                    time, in any thread, process or machine, with the same bits
      4. prt_bake_error             of two bakes with different seeds: their mean, and its standard error at each point
      5. prt_bake_bounces           where light that other surfaces reflect matters: interreflection, added to transfer
-     6. prt_shade_diffuse (prt.h)  transfer and light -> exit radiance, at run time; prt_shade_diffuse_rgb after
-                                   interreflection between coloured surfaces
+     6. prt_transfer_pack          to a half or a quarter of the memory, where that is precious
+     7. prt_shade_diffuse (prt.h)  transfer and light -> exit radiance, at run time; prt_shade_diffuse_rgb after
+                                   interreflection between coloured surfaces, prt_shade_packed_n from packed transfer
      For moving occluders (prt_fiv_shade): prt_fiv_distances, prt_bake_fiv_table, prt_bake_fiv_inside, prt_bake_fiv_total.
      For vector occluders (prt_vo_shade) instead: prt_bake_vo_ao, prt_bake_vo, prt_vo_compact.
      Rooms, by the tag to grep for: >>types, >>sample point sets, >>point bake points, >>direct transfer, >>bounce
-     interreflection, >>fiv fullsphere irradiance vectors, >>vo vector occluders, >>measure what a scene requires.
+     interreflection, >>pack storage, >>fiv fullsphere irradiance vectors, >>vo vector occluders, >>measure what a
+     scene requires.
 
    A COMPLETE EXAMPLE
      #include <stdio.h>
@@ -353,6 +355,24 @@ PRTDEF prt_result prt_bounce_add(int bands, int point_count, int bounce_planes, 
    PRT_ERR_VALUE (least). progress counts points of all bounces. Memory: two further transfers, from PRT_MALLOC. */
 PRTDEF prt_result prt_bake_bounces(const prt_bounce_desc *desc, int bounces, prt_real least, int point_count,
                                    const prt_point *points, const prt_real *direct, prt_real *total, int *made);
+
+/* ------------------------------------------------------------------------------------------------ >>pack ---- */
+
+/* Bytes of packed transfer, for prt_transfer_pack; 0 for a bad argument, or where a size_t does not hold them. */
+PRTDEF size_t prt_transfer_packed_size(int bands, prt_storage storage, int point_count);
+
+/* Packs transfer[point_count][bands^2] into data, of prt_transfer_packed_size, and describes it in *packed, which
+   prt_shade_packed_n (prt.h) shades from. Each coefficient has a range of its own, [min, max] over the points
+   ([Chapter 2010], 4.2): low_i = min, step_i = (max - min)/65535 or /255, q = the integer next to (v - low_i)/step_i.
+   low, step   [bands^2]; NULL for PRT_STORAGE_HALF
+   One call, one set of ranges: pack together what is shaded together, a mesh or an atlas.
+   Errors, before anything is written: PRT_ERR_BANDS; PRT_ERR_COUNT; PRT_ERR_CAPACITY (the size overflows);
+   PRT_ERR_NULL; PRT_ERR_VALUE (storage; a value not finite, beyond 65504 for halves, or a quarter of the
+   largest number).
+   Cost: two passes. Accuracy: step_i/2 and 2 ulp of the largest value of the coefficient; halves 2^-11 of the value,
+   below 6.1e-5 2^-25 (tests/test_pack.c). What that is in pictures: docs/choose.md. */
+PRTDEF prt_result prt_transfer_pack(int bands, prt_storage storage, int point_count, const prt_real *transfer,
+                                    void *data, prt_real *low, prt_real *step, prt_packed_transfer *packed);
 
 /* --------------------------------------------------------------------------------------------------- >>fiv ---- */
 
@@ -1660,6 +1680,76 @@ PRTDEF prt_result prt_bake_bounces(const prt_bounce_desc *desc, int bounces, prt
     r = prt__bounces_run(&b, bounces, least, point_count, direct, buffer, total, made);
     PRT_FREE(buffer[0]);
     return r;
+}
+
+/* ------------------------------------------------------------------------------------------------ >>pack ---- */
+
+PRTDEF size_t prt_transfer_packed_size(int bands, prt_storage storage, int point_count) {
+    size_t all = prt_bake_transfer_size(bands, point_count) / sizeof(prt_real);
+    if (storage == PRT_STORAGE_8) return all;
+    return (storage == PRT_STORAGE_HALF || storage == PRT_STORAGE_16) && all <= SIZE_MAX / 2 ? 2 * all : 0;
+}
+
+/* Least value and step of each coefficient, over the levels of its integers. */
+PRT__STATIC void prt__pack_ranges(int n, int rows, const prt_real *transfer, prt_real levels, prt_real *low,
+                                  prt_real *step) {
+    int k, i;
+    memcpy(low, transfer, (size_t)n * sizeof *low);
+    memcpy(step, transfer, (size_t)n * sizeof *step);
+    for (k = 1; k < rows; k++) {
+        const prt_real *row = transfer + (size_t)k * (size_t)n;
+        for (i = 0; i < n; i++) {
+            if (row[i] < low[i]) low[i] = row[i];
+            if (row[i] > step[i]) step[i] = row[i];
+        }
+    }
+    for (i = 0; i < n; i++) step[i] = step[i] / levels - low[i] / levels;
+}
+
+PRT__STATIC int prt__pack_holds(size_t count, const prt_real *values, prt_real most) {
+    size_t k;
+    int ok = 1;
+    for (k = 0; k < count; k++) ok &= values[k] <= most && values[k] >= -most;
+    return ok;
+}
+
+PRT__STATIC unsigned prt__pack_integer(prt_real v, prt_real low, prt_real step, prt_real levels) {
+    prt_real at = step > 0 ? (v - low) / step : 0;
+    return (unsigned)(prt__clamp(at, 0, levels) + PRT__R(0.5));
+}
+
+PRT__STATIC void prt__pack_row(const prt_packed_transfer *p, int n, size_t row, const prt_real *transfer, void *data) {
+    size_t at = row * (size_t)n;
+    int i;
+    for (i = 0; i < n; i++, at++) {
+        if (p->storage == PRT_STORAGE_HALF) ((uint16_t *)data)[at] = (uint16_t)prt__half_of((double)transfer[at]);
+        else if (p->storage == PRT_STORAGE_16)
+            ((uint16_t *)data)[at] = (uint16_t)prt__pack_integer(transfer[at], p->low[i], p->step[i], 65535);
+        else ((unsigned char *)data)[at] = (unsigned char)prt__pack_integer(transfer[at], p->low[i], p->step[i], 255);
+    }
+}
+
+PRTDEF prt_result prt_transfer_pack(int bands, prt_storage storage, int point_count, const prt_real *transfer,
+                                    void *data, prt_real *low, prt_real *step, prt_packed_transfer *packed) {
+    size_t k, all;
+    int n, half = storage == PRT_STORAGE_HALF;
+    if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
+    if (point_count < 0) return PRT_ERR_COUNT;
+    if (point_count > 0 && !prt_bake_transfer_size(bands, point_count)) return PRT_ERR_CAPACITY;
+    if (!packed || (!half && (!low || !step)) || (point_count > 0 && (!transfer || !data))) return PRT_ERR_NULL;
+    if (!half && storage != PRT_STORAGE_16 && storage != PRT_STORAGE_8) return PRT_ERR_VALUE;
+    n = PRT_SH_COUNT(bands);
+    all = (size_t)n * (size_t)point_count;
+    if (!prt__pack_holds(all, transfer, half ? 65504 : PRT__REAL_MAX / 4)) return PRT_ERR_VALUE;
+    if (!half && point_count > 0)
+        prt__pack_ranges(n, point_count, transfer, storage == PRT_STORAGE_16 ? 65535 : 255, low, step);
+    packed->bands = bands;
+    packed->storage = storage;
+    packed->data = data;
+    packed->low = low;
+    packed->step = step;
+    for (k = 0; k < (size_t)point_count; k++) prt__pack_row(packed, n, k, transfer, data);
+    return PRT_OK;
 }
 
 /* --------------------------------------------------------------------------------------------------- >>fiv ---- */

@@ -38,6 +38,19 @@ static const prt_real *matrix_of(int n, const prt_real *filter) {
     if (n != built && n <= MATRIX_BANDS && prt_sh_product_matrix(n, filter, matrix) == PRT_OK) built = n;
     return matrix;
 }
+/* Packed transfer of 1024 points, in range and steps as if at random; read as bytes, words or finite halves. */
+static const prt_packed_transfer *packed_of(int n, prt_storage storage) {
+    static uint16_t numbers[1024 * PRT_SH_COUNT(MATRIX_BANDS)];
+    static prt_real low[PRT_SH_COUNT(MATRIX_BANDS)], step[PRT_SH_COUNT(MATRIX_BANDS)];
+    static prt_packed_transfer packed;
+    int i;
+    for (i = 0; !numbers[1] && i < 1024 * PRT_SH_COUNT(MATRIX_BANDS); i++)
+        numbers[i] = (uint16_t)(i * 40503u & 0xbbffu);
+    for (i = 0; !step[0] && i < PRT_SH_COUNT(MATRIX_BANDS); i++) { low[i] = (prt_real)-0.5; step[i] = (prt_real)4e-3; }
+    packed.bands = n; packed.storage = storage; packed.data = numbers; packed.low = low; packed.step = step;
+    return &packed;
+}
+#define PACKED(storage) (*packed_of(n, PRT_STORAGE_##storage))
 static const int y_up[3] = { 1, -3, 2 };
 static const prt_real quarter[4] = { (prt_real)0.5, (prt_real)0.5, (prt_real)-0.5, (prt_real)0.5 };
 static double one(void *user, prt_vec3 dir) { (void)user; (void)dir; return 1; }

@@ -5,9 +5,9 @@
 
    `call` may use: n (bands), items, k (EACH only), DIR(k) (a prt_vec3), DIRS (prt_vec3[items]), X Y Z (the same as
    three arrays), F and G (coefficients, three planes apart by n^2), ROWS (rows of coefficients), IMAGE and CUBE,
-   ROTATION, BLOCKS, MATRIX (of products with F, to 10 bands), OUT.
+   ROTATION, BLOCKS, MATRIX (of products with F, to 10 bands), PACKED(storage) (transfer, to 10 bands), OUT.
    `items`, `flops`, `reads` and `writes` are expressions in n, for one item; reads and writes count prt_reals.
-   A multiply-add is two flops. Every public function of prt.h has a row: the test bench/missing.sh names those without. */
+   A multiply-add is two flops. Every public function of prt.h has a row; bench/missing.sh names those without. */
 
 /* Room for the output of so many items with n^2 reals each: 1024 up to 16 bands, fewer beyond. */
 #define ITEMS (n <= 16 ? 1024 : n <= 32 ? 256 : 64)
@@ -167,6 +167,20 @@ BATCH(diffuse_n,    "diffuse_n", "prt_shade_diffuse_n", LOW, 1024,
       prt_shade_diffuse_n(n, items, ROWS, F, (prt_rgb *)OUT), 6.0 * n * n, n * n, 3)
 EACH (diffuse,      "diffuse_n", "prt_shade_diffuse, point after point", LOW, 1024,
       prt_shade_diffuse(n, ROWS + k * n * n, F, (prt_rgb *)OUT), 6.0 * n * n, n * n, 3)
+BATCH(diffuse_rgb, "diffuse_n", "prt_shade_diffuse_rgb_n", LOW, 1024,
+      prt_shade_diffuse_rgb_n(n, items, ROWS, F, (prt_rgb *)OUT), 6.0 * n * n, 3.0 * n * n, 3)
+EACH (diffuse_rgb1, "diffuse_n", "prt_shade_diffuse_rgb, point after point", LOW, 1024,
+      prt_shade_diffuse_rgb(n, ROWS + k * 3 * n * n, F, (prt_rgb *)OUT), 6.0 * n * n, 3.0 * n * n, 3)
+BATCH(packed_half, "diffuse_n", "prt_shade_packed_n, half", LOW, 1024,
+      prt_shade_packed_n(&PACKED(HALF), 0, items, F, (prt_rgb *)OUT), 6.0 * n * n, 2.0 * n * n / sizeof(prt_real), 3)
+BATCH(packed_16,   "diffuse_n", "prt_shade_packed_n, 16 bits", LOW, 1024,
+      prt_shade_packed_n(&PACKED(16), 0, items, F, (prt_rgb *)OUT), 6.0 * n * n, 2.0 * n * n / sizeof(prt_real), 3)
+BATCH(packed_8,    "diffuse_n", "prt_shade_packed_n, 8 bits", LOW, 1024,
+      prt_shade_packed_n(&PACKED(8), 0, items, F, (prt_rgb *)OUT), 6.0 * n * n, 1.0 * n * n / sizeof(prt_real), 3)
+BATCH(unpack_8,    "unpack", "prt_transfer_unpack, 8 bits", LOW, 1024,
+      prt_transfer_unpack(&PACKED(8), 0, items, OUT), 2.0 * n * n, 1.0 * n * n / sizeof(prt_real), n * n)
+BATCH(unpack_half, "unpack", "prt_transfer_unpack, half", LOW, 1024,
+      prt_transfer_unpack(&PACKED(HALF), 0, items, OUT), 0, 2.0 * n * n / sizeof(prt_real), n * n)
 
 /* >>fiv: an item is a receiver and an occluder; a lookup reads eight samples of nine. `bands` do not matter */
 #define FIV_READS (8 * 9)

@@ -85,6 +85,7 @@ TITLES = {
     "vo_bend": "Bend vector occluders under water (`prt_vo_bend`)",
     "reference": "Slow evaluators for tests (`prt_reference_sh`, `prt_reference_project`)",
     "result_string": "Text of a result (`prt_result_string`)",
+    "unpack": "Transfer of packed transfer (`prt_transfer_unpack`)",
     "diffuse_n": "Shade from transfer, three colours (`prt_shade_diffuse_n`)",
 }
 
