@@ -77,9 +77,12 @@ static int bands_of(int column) { return column == UNSHADOWED ? MOST_BANDS : ref
 static int load_scene(demo *d, why *w) {
     const prt_vec3 target = { 0, 0, (prt_real)-0.06 };
     prt_vec3 under = { 0, 0, 0 };
+    char path[1024];
     int k;
-    for (k = 0; k < ENVIRONMENTS; k++)
-        if (environment_load(d->data, choice[k].file, choice[k].turn, &d->environments[k], w)) return -1;
+    for (k = 0; k < ENVIRONMENTS; k++) {
+        snprintf(path, sizeof path, "%s/%s", d->data, choice[k].file);
+        if (environment_load(path, choice[k].turn, &d->environments[k], w)) return -1;
+    }
     if (mesh_load(d->mesh_path, MESH_Y_UP, &d->scene, w) || mesh_fit_unit_sphere(&d->scene, w)) return -1;
     for (k = 0; k < d->scene.point_count; k++)
         if (d->scene.points[k].position.z < under.z) under.z = d->scene.points[k].position.z;

@@ -6,6 +6,7 @@
 #define PRT_BAKE_IMPLEMENTATION
 #include "prt_bake.h"
 #include "test.h"
+#include "../examples/common/environment.c"
 #include "../examples/common/parallel.c"
 #include "../examples/common/progress.c"
 #include "../examples/common/reference.c"
@@ -109,7 +110,7 @@ static setting *make_setting(int threads) {
     s->tracer.occluded = scene_occluded;
     s->tracer.closest = scene_closest;
     for (e = 0; e < REFERENCE_LIGHTS; e++)
-        assert_int_equal(environment_load("data", "some.hdr", 0.25 * e, &s->environments[e], &w), 0);
+        assert_int_equal(environment_load("data/some.hdr", 0.25 * e, &s->environments[e], &w), 0);
     s->r.scene = &s->scene;
     s->r.object_triangles = 1;
     s->r.tracer = &s->tracer;
@@ -229,7 +230,7 @@ static void a_black_environment_is_refused(void **state) {
     (void)state;
     paint(0);
     memset(&e, 0, sizeof e);
-    assert_int_equal(environment_load("data", "night.hdr", 0, &e, &w), -1);
+    assert_int_equal(environment_load("data/night.hdr", 0, &e, &w), -1);
     assert_non_null(strstr(w.line, "night: the environment is black"));
     environment_free(&e);
 }

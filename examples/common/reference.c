@@ -11,96 +11,6 @@
 
 static const float rest_alpha = 0.5f, object_alpha = 1;
 
-/* ---- environments ---- */
-
-static double luminance_at(const image *map, size_t texel) {
-    const float *v = map->rgb + 3 * texel;
-    return 0.2126 * (double)v[0] + 0.7152 * (double)v[1] + 0.0722 * (double)v[2];
-}
-
-static int environment_tabulate(environment *e, why *w) {
-    size_t width = (size_t)e->map.width, count = width * (size_t)e->map.height, k;
-    double sum = 0;
-    e->cumulative = (double *)malloc((count + 1) * sizeof *e->cumulative);
-    if (!e->cumulative) return why_set(w, "out of memory");
-    for (k = 0; k < count; k++) {
-        double row = (double)(k / width);
-        double height = cos(pi * row / e->map.height) - cos(pi * (row + 1) / e->map.height);
-        e->cumulative[k] = sum;
-        sum += luminance_at(&e->map, k) * height * 2 * pi / e->map.width;
-    }
-    if (!(sum > 0)) return why_set(w, "%s: the environment is black", e->name);
-    e->cumulative[count] = sum;
-    for (k = 0; k <= count; k++) e->cumulative[k] /= sum;
-    e->scale = 1 / sum;
-    return 0;
-}
-
-static void turn_map(image *map, double turn) {
-    int shift = (int)(turn * map->width + 0.5) % map->width, y, x;
-    float *row = (float *)malloc(3 * sizeof(float) * (size_t)map->width);
-    if (!row) return;
-    for (y = 0; y < map->height; y++) {
-        float *in = map->rgb + 3 * (size_t)map->width * (size_t)y;
-        for (x = 0; x < map->width; x++) memcpy(row + 3 * ((x + shift) % map->width), in + 3 * x, 3 * sizeof(float));
-        memcpy(in, row, 3 * sizeof(float) * (size_t)map->width);
-    }
-    free(row);
-}
-
-int environment_load(const char *directory, const char *file, double turn, environment *e, why *w) {
-    char path[1024];
-    snprintf(path, sizeof path, "%s/%s", directory, file);
-    snprintf(e->name, sizeof e->name, "%.*s", (int)strcspn(file, "."), file);
-    if (image_load_environment(path, &e->map, w)) return -1;
-    turn_map(&e->map, turn);
-    if (prt_sh_project_equirect_rgb(REFERENCE_BANDS, e->map.width, e->map.height, e->map.rgb, e->light) != PRT_OK)
-        return why_set(w, "%s: cannot be projected", path);
-    return environment_tabulate(e, w);
-}
-
-void environment_free(environment *e) {
-    image_free(&e->map);
-    free(e->cumulative);
-    e->cumulative = NULL;
-}
-
-void environment_light(const environment *e, int bands, prt_real *light) {
-    size_t count = (size_t)PRT_SH_COUNT(bands), c;
-    for (c = 0; c < 3; c++) memcpy(light + c * count, e->light + c * REFERENCE_COEFFICIENTS, count * sizeof *light);
-}
-
-static size_t texel_of(const image *map, prt_vec3 d) {
-    double phi = atan2((double)d.y, (double)d.x);
-    int x = (int)((phi < 0 ? phi + 2 * pi : phi) / (2 * pi) * map->width);
-    int y = (int)(acos(d.z > 1 ? 1 : d.z < -1 ? -1 : (double)d.z) / pi * map->height);
-    if (x >= map->width) x = map->width - 1;
-    if (y >= map->height) y = map->height - 1;
-    return (size_t)y * (size_t)map->width + (size_t)x;
-}
-
-/* A direction with density luminance * scale: u chooses the texel and the place across it, v the place down it. */
-static prt_vec3 environment_sample(const environment *e, double u, double v, size_t *texel) {
-    size_t low = 0, high = (size_t)e->map.width * (size_t)e->map.height;
-    double top, bottom, z, across, phi, r;
-    prt_vec3 d;
-    while (high - low > 1) {
-        size_t middle = (low + high) / 2;
-        if (e->cumulative[middle] <= u) low = middle; else high = middle;
-    }
-    across = (u - e->cumulative[low]) / (e->cumulative[low + 1] - e->cumulative[low]);
-    top = cos(pi * (double)(low / (size_t)e->map.width) / e->map.height);
-    bottom = cos(pi * (double)(low / (size_t)e->map.width + 1) / e->map.height);
-    z = top + v * (bottom - top);
-    phi = 2 * pi * ((double)(low % (size_t)e->map.width) + across) / e->map.width;
-    r = sqrt(z * z < 1 ? 1 - z * z : 0);
-    d.x = (prt_real)(r * cos(phi));
-    d.y = (prt_real)(r * sin(phi));
-    d.z = (prt_real)z;
-    *texel = low;
-    return d;
-}
-
 /* ---- rays ---- */
 
 typedef struct sample_rays {           /* the shadow rays of one sample, with scratch for their results */
@@ -125,15 +35,6 @@ static int trace(const reference *r, const prt_point *at, int count, const prt_v
         s->blocked[k] = 0;
     }
     return r->tracer->occluded(r->tracer->user, count, s->rays, s->blocked);
-}
-
-/* One open ray's share under the balance heuristic [Veach 1995]: cos/pi L / (n_cosine p_cosine + n_light p_light). */
-static void add_ray(const environment *e, size_t texel, double cosine, double sum[3]) {
-    double over_pi = cosine / pi;
-    double density = REFERENCE_COSINE_RAYS * over_pi + REFERENCE_LIGHT_RAYS * luminance_at(&e->map, texel) * e->scale;
-    int c;
-    if (!(density > 0)) return;
-    for (c = 0; c < 3; c++) sum[c] += (double)e->map.rgb[3 * texel + (size_t)c] * over_pi / density;
 }
 
 static void store(picture *p, size_t at, const double sum[3], float alpha) {
@@ -180,8 +81,9 @@ static int shade_sample(reference *r, int half, size_t at, const prt_point *poin
     for (e = 0; e < REFERENCE_LIGHTS; e++)
         for (k = 0; k < REFERENCE_COSINE_RAYS; k++)
             if (!s->blocked[k])
-                add_ray(&r->environments[e], texel_of(&r->environments[e].map, s->cosine[k]),
-                        vec_dot(s->cosine[k], point->normal), sum[e]);
+                environment_add(&r->environments[e], environment_texel(&r->environments[e], s->cosine[k]),
+                                vec_dot(s->cosine[k], point->normal), REFERENCE_COSINE_RAYS, REFERENCE_LIGHT_RAYS,
+                                sum[e]);
     for (e = 0; e < REFERENCE_LIGHTS; e++) {
         int above = 0;
         prt_sample_square(PRT_SAMPLE_SOBOL, REFERENCE_LIGHT_RAYS, seed + REFERENCE_HALVES * (uint64_t)(e + 1), at, 0,
@@ -193,7 +95,9 @@ static int shade_sample(reference *r, int half, size_t at, const prt_point *poin
         }
         if (trace(r, point, above, s->light, s)) return -1;
         for (k = 0; k < above; k++)
-            if (!s->blocked[k]) add_ray(&r->environments[e], s->texel[k], vec_dot(s->light[k], point->normal), sum[e]);
+            if (!s->blocked[k])
+                environment_add(&r->environments[e], s->texel[k], vec_dot(s->light[k], point->normal),
+                                REFERENCE_COSINE_RAYS, REFERENCE_LIGHT_RAYS, sum[e]);
         store(&t->reference[e], at, sum[e], alpha);
     }
     return 0;

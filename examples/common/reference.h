@@ -7,33 +7,18 @@
 #include <signal.h>
 
 #include "camera.h"
+#include "environment.h"
 #include "image.h"
 #include "mesh.h"
 
 enum {
     REFERENCE_LIGHTS = 3, REFERENCE_BAND_COUNTS = 3, REFERENCE_HALVES = 2,
-    REFERENCE_BANDS = 8, REFERENCE_COEFFICIENTS = REFERENCE_BANDS * REFERENCE_BANDS,
+    REFERENCE_BANDS = ENVIRONMENT_BANDS, REFERENCE_COEFFICIENTS = REFERENCE_BANDS * REFERENCE_BANDS,
     REFERENCE_COSINE_RAYS = 512,       /* a sample and half, shared by the environments */
     REFERENCE_LIGHT_RAYS = 256         /* the same, towards the light of each environment */
 };
 
 static const int reference_bands[REFERENCE_BAND_COUNTS] = { 3, 5, 8 };
-
-/* An environment map with what it takes to shade from it and to sample it. */
-typedef struct environment {
-    char     name[32];
-    image    map;
-    prt_real light[3 * REFERENCE_COEFFICIENTS];
-    double   *cumulative;              /* [texels + 1] of luminance times solid angle, 0 to 1 */
-    double   scale;                    /* density of a direction: luminance of its texel times this */
-} environment;
-
-/* Loads DIRECTORY/FILE, turned by so many turns about +z. 0, or -1 with the reason in w. */
-int  environment_load(const char *directory, const char *file, double turn, environment *e, why *w);
-void environment_free(environment *e);
-
-/* The first bands of its light: light[3][bands^2]. */
-void environment_light(const environment *e, int bands, prt_real *light);
 
 /* One of two independent halves; their mean is the picture, their difference tells its noise. alpha of a reference
    sample is 0 on the background, 1 on the first `object_triangles` of the scene, 0.5 on the rest. */
