@@ -52,11 +52,6 @@ typedef struct options {
 
 /* ---- the command line ---- */
 
-static int ends_with(const char *text, const char *end) {
-    size_t a = strlen(text), b = strlen(end);
-    return a >= b && strcmp(text + a - b, end) == 0;
-}
-
 static int parse_positional(const char *text, options *o, why *w) {
     if (ends_with(text, ".hdr") || ends_with(text, ".pfm")) {
         if (o->environment_count == MOST_ENVIRONMENTS)

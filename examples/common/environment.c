@@ -60,7 +60,8 @@ void environment_free(environment *e) {
 
 void environment_light(const environment *e, int bands, prt_real *light) {
     size_t count = (size_t)PRT_SH_COUNT(bands), c;
-    for (c = 0; c < 3; c++) memcpy(light + c * count, e->light + c * PRT_SH_COUNT(ENVIRONMENT_BANDS), count * sizeof *light);
+    for (c = 0; c < 3; c++)
+        memcpy(light + c * count, e->light + c * PRT_SH_COUNT(ENVIRONMENT_BANDS), count * sizeof *light);
 }
 
 size_t environment_texel(const environment *e, prt_vec3 d) {

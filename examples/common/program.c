@@ -28,6 +28,11 @@ int parse_number(const char *name, const char *text, long low, long high, long *
     return 0;
 }
 
+int ends_with(const char *text, const char *end) {
+    size_t a = strlen(text), b = strlen(end);
+    return a >= b && strcmp(text + a - b, end) == 0;
+}
+
 int make_directory(const char *path, why *w) {
     struct stat s;
     if (mkdir(path, 0777) == 0 || (errno == EEXIST && stat(path, &s) == 0 && S_ISDIR(s.st_mode))) return 0;

@@ -16,6 +16,8 @@ void stop_on(int number);
 /* The whole number that an option wants, low ... high; text may be NULL. 0, or -1 and w, and *value is as it was. */
 int parse_number(const char *name, const char *text, long low, long high, long *value, why *w);
 
+int ends_with(const char *text, const char *end);
+
 /* The directory is there, or is made. 0, or -1 and w. */
 int make_directory(const char *path, why *w);
 

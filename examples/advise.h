@@ -1,0 +1,105 @@
+/* advise: what the parts of the program share. */
+#ifndef EXAMPLES_ADVISE_H
+#define EXAMPLES_ADVISE_H
+
+#include "embree_tracer.h"
+#include "environment.h"
+#include "mesh.h"
+#include "program.h"
+
+enum { MOST_ERRORS = 8, MOST_BANDS = 10, LIGHT_BANDS = 16, MOST_TRIALS = 2048, HALVES = 2 };
+
+typedef struct options {
+    const char *mesh, *environment, *moving, *plot, *csv;
+    double     errors[MOST_ERRORS], moving_size;
+    int        error_count, check, rays, threads, lights, floor, z_up, transmissive, by_time, all, rows, help;
+    uint64_t   seed;
+} options;
+
+typedef enum method {
+    METHOD_NORMAL,                     /* no visibility: irradiance of the normal */
+    METHOD_AO,                         /* that times ambient occlusion */
+    METHOD_SH,                         /* transfer vectors */
+    METHOD_VO,                         /* vector occluders, of point lights */
+    METHOD_FIV,                        /* irradiance vectors of a moving occluder beside transfer vectors */
+    METHOD_COUNT
+} method;
+extern const char *const method_names[METHOD_COUNT];
+
+/* A set-up that was tried. Errors are relative to the mean of the truth over the checked vertices and colours. */
+typedef struct trial {
+    method     method;
+    int        bands, rays;            /* rays a vertex in the bake; 0: none */
+    prt_window window;                 /* of the light; width = bands */
+    int        bits;                   /* a number as it is stored */
+    int        groups, kept;           /* vector occluders: groups of faces, occluders kept a vertex */
+    int        grid[3];                /* irradiance vectors: theta, phi, distances */
+    double     bytes, ns;              /* a vertex */
+    double     kilobytes;              /* beside the vertices: tables */
+    double     square, square_error;   /* mean square error and its standard error */
+    double     predicted;              /* error foretold by >>measure, or -1 */
+} trial;
+
+/* Exit radiance at the checked vertices by ray tracing: two independent halves. */
+typedef struct truth {
+    int    count;
+    double (*half[HALVES])[3];
+    double mean;
+} truth;
+
+/* What is looked at: the scene, a choice of its vertices, and what light falls there. */
+typedef struct checked {
+    int        count, *vertex;
+    prt_point  *points;                /* [count] */
+    uint64_t   seed;
+    truth      truth;
+} checked;
+
+typedef struct advisor {
+    options     o;
+    mesh        mesh;
+    environment environment;
+    embree_tracer tracer;
+    prt_real    light[3 * PRT_SH_COUNT(LIGHT_BANDS)];      /* of the environment, or of the point lights */
+    prt_point_light *lights;           /* [o.lights] */
+    checked     first, second;         /* vertices to choose by, and others to verify on */
+    trial       trials[MOST_TRIALS];
+    int         trial_count;
+    double      traced;                /* rays */
+} advisor;
+
+static const prt_real advise_bias = (prt_real)1e-4;
+
+double trial_error(const trial *t);
+double trial_uncertainty(const trial *t);
+
+/* Mean square error of colours [count] against the two halves of the truth, and its standard error, relative to the
+   square of the mean. */
+void trial_judge(trial *t, const truth *is, const prt_rgb *colors);
+
+/* Keeps a trial; silently drops it when there is no room left. */
+void advisor_keep(advisor *a, const trial *t);
+
+/* Chooses so many vertices at random and traces their truth. 0, or -1 and w. */
+int  checked_choose(advisor *a, int count, uint64_t seed, const char *what, checked *c, why *w);
+void checked_free(checked *c);
+
+/* Environment lighting: every method, all its settings, into a->trials; prints what it measures. */
+int  advise_environment(advisor *a, why *w);
+/* The trial once more with other rays, at a->second. 0, or -1 and w. */
+int  verify_environment(advisor *a, trial *t, why *w);
+
+/* Point lights (vector occluders among the methods). */
+int  advise_lights(advisor *a, why *w);
+int  verify_lights(advisor *a, trial *t, why *w);
+
+/* Seconds that `work` takes, the least of several goes, each long enough to be measured. */
+double time_of(void (*work)(void *user), void *user);
+
+/* Report. */
+void print_trials(const advisor *a);
+int  print_advice(advisor *a, int (*verify)(advisor *, trial *, why *), why *w);
+int  write_csv(const advisor *a, why *w);
+int  draw_plot(const advisor *a, why *w);
+
+#endif

@@ -1,0 +1,82 @@
+#!/usr/bin/env bash
+# A small run of examples/advise, whole and interrupted, and bad input to it: one clear line each.
+#   tests/advise.sh path/to/advise
+set -u
+export LC_ALL=C
+program=$1
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 1
+failures=0
+fail() { echo "FAILED: $*"; failures=$((failures + 1)); }
+
+# Two planes that face each other, 21 x 21 vertices each: half of the sky is hidden, differently everywhere.
+awk 'BEGIN { n = 21; for (s = 0; s < 2; s++) for (y = 0; y < n; y++) for (x = 0; x < n; x++) print "v", x / n, 0.4 * s, y / n
+    for (s = 0; s < 2; s++) for (y = 0; y < n - 1; y++) for (x = 1; x < n; x++) { k = s * n * n + y * n + x
+        if (s) { print "f", k, k + 1, k + n; print "f", k + 1, k + n + 1, k + n }
+        else { print "f", k, k + n, k + 1; print "f", k + 1, k + n, k + n + 1 } } }' >planes.obj
+# A map of 16 x 8: grey, with one texel a hundred times as bright.
+{ printf 'PF\n16 8\n-1.0\n'
+  for k in $(seq 128); do for _ in 1 2 3; do if [ "$k" = 100 ]; then printf '\0\0\310\102'; else printf '\0\0\200\077'; fi; done; done; } >map.pfm
+{ printf 'PF\n16 8\n-1.0\n'; head -c 1536 /dev/zero; } >black.pfm
+head -c 200 map.pfm >truncated.pfm
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\n' >faceless.obj
+printf 'v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >nan.obj
+printf 'no mesh\n' >text.obj
+
+bad() {
+    local pattern=$1; shift
+    timeout 20 "$program" "$@" >stdout 2>stderr
+    [ $? = 1 ] || fail "exit code is not 1: $*"
+    sed -i '/%,/d' stderr
+    [ "$(wc -l <stderr)" = 1 ] && grep -q -- "^advise: .*$pattern" stderr || { fail "no line '$pattern': $*"; cat stderr; }
+}
+bad 'wants a mesh and an environment'           planes.obj
+bad 'missing.obj: cannot be read as a mesh'     missing.obj map.pfm
+bad 'text.obj: '                                text.obj map.pfm
+bad 'faceless.obj: '                            faceless.obj map.pfm
+bad 'nan.obj: has a vertex whose position'      nan.obj map.pfm
+bad 'missing.hdr: cannot be opened'             planes.obj missing.hdr
+bad 'truncated.pfm: is cut short'               planes.obj truncated.pfm
+bad 'black: the environment is black'           planes.obj black.pfm
+bad '--error 0: must be a number above 0'       planes.obj map.pfm --error 0
+bad '--error nan: must be'                      planes.obj map.pfm --error nan
+bad '--error 2%: must be'                       planes.obj map.pfm --error 2%
+bad '--error wants a number'                    planes.obj map.pfm --error
+bad '--by wants bytes or time'                  planes.obj map.pfm --by money
+bad '--check 1: must be a whole number'         planes.obj map.pfm --check 1
+bad '--rays 63: must be'                        planes.obj map.pfm --rays 63
+bad '--threads x: must be'                      planes.obj map.pfm --threads x
+bad '--csv wants a file'                        planes.obj map.pfm --csv
+bad '--wrong: no such option'                   planes.obj map.pfm --wrong
+bad 'extra: a third file'                       planes.obj map.pfm extra
+bad 'nowhere/at/all.csv'                        planes.obj map.pfm --check 16 --rays 64 --csv nowhere/at/all.csv
+bad 'must end in .svg or .png'                  planes.obj map.pfm --check 16 --rays 64 --plot plot.gif
+
+# A small run: advice that keeps a loose error, none for an error that nothing keeps.
+timeout 60 "$program" planes.obj map.pfm --check 64 --rays 256 --threads 2 --error 0.3 --csv all.csv >stdout 2>stderr
+[ $? = 0 ] || { fail "the small run"; tail -3 stderr; }
+grep -q '^for an error of 30 %: .* bytes and .* ns a vertex' stdout || fail "no advice"
+grep -qwi 'nan\|inf' stdout all.csv && fail "a figure is not finite"
+[ "$(wc -l <all.csv)" -gt 100 ] || fail "few rows in all.csv"
+# What bands cost is foretold: with most rays and from 4 bands on within a tenth or half a percent of the mean.
+awk -F, '$1 == "transfer" && $2 >= 4 && $3 == 256 && $4 == "none" { n++; d = $8 - $10; if (d < 0) d = -d
+         if (!(d <= 0.1 * $8 + 3 * $9 + 0.005)) bad++ } END { exit !(n >= 7 && !bad) }' all.csv || fail "foretold errors are off"
+timeout 60 "$program" planes.obj map.pfm --check 64 --rays 64 --error 0.00001 >stdout 2>stderr
+[ $? = 3 ] || fail "exit code where nothing keeps the error"
+grep -q 'nothing that was tried; the least error was' stdout || fail "says that nothing keeps the error"
+if command -v gnuplot >/dev/null; then
+    timeout 60 "$program" planes.obj map.pfm --check 16 --rays 64 --error 1 --plot plot.svg >stdout 2>stderr || fail "plot"
+    grep -q '</svg>' plot.svg || fail "no plot"
+fi
+
+# Interrupted: exit code 130 and a line that says so.
+"$program" planes.obj map.pfm --check 65536 --threads 1 >stdout 2>stderr & pid=$!
+sleep 1
+kill -INT $pid 2>/dev/null
+wait $pid
+[ $? = 130 ] || fail "exit code of an interrupted run"
+grep -q '^advise: interrupted' stderr || fail "an interrupted run says so"
+
+[ $failures = 0 ] && echo "advise: bad input, small runs, interruption: passed"
+exit $((failures > 0))
