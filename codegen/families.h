@@ -35,6 +35,7 @@
     X(rotation_from_quaternion, rotation_from_quaternion, 0, 0, FORM_TEXT) \
     X(sh_dot, sh_dot, 1, 10, FORM_TEXT) \
     X(shade_diffuse, shade_diffuse, 1, 10, FORM_TEXT) \
+    X(shade_diffuse_rgb, shade_diffuse_rgb, 1, 10, FORM_TEXT) \
     X(shade_diffuse_four, shade_diffuse_four, 0, 0, FORM_TEXT) \
     X(sh_product, sh_product, 1, 6, FORM_ONE | FORM_LANES | FORM_TEXT) \
     X(sh_square, sh_square, 1, 5, FORM_ONE | FORM_TEXT) \

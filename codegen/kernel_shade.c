@@ -25,6 +25,15 @@ kernel *describe_shade_diffuse(int bands) {
     return k;
 }
 
+/* transfer: three planes too, one for each channel */
+kernel *describe_shade_diffuse_rgb(int bands) {
+    kernel *k = named_kernel("shade_diffuse_rgb", "exit radiance from transfer of three planes", bands);
+    int n = bands * bands, transfer = kernel_param(k, "transfer", PARAM_INPUT, 3 * n);
+    int light = kernel_param(k, "light", PARAM_INPUT, 3 * n), out = kernel_param(k, "out", PARAM_RESULT, 3), c;
+    for (c = 0; c < 3; c++) kernel_output(k, out, c, dot(k, n, transfer, c * n, light, c * n));
+    return k;
+}
+
 /* The share of four coefficients, for those that stand four a texel or attribute: the sum over all fours is
    shade_diffuse. */
 kernel *describe_shade_diffuse_four(int bands) {

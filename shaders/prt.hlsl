@@ -1037,6 +1037,28 @@ float3 prt_shade_diffuse(float transfer[16], float light[48]) {
     return float3((t18 + light[14] * t19) + light[15] * t20, (t24 + t19 * light[30]) + t20 * light[31], (t28 + t19 * light[46]) + t20 * light[47]);
 }
 
+// exit radiance from transfer of three planes, 4 bands: 48 multiplications, 45 additions (45 can fuse), 96 loads, 3 stores
+float3 prt_shade_diffuse_rgb(float transfer[48], float light[48]) {
+    float t1 = (light[0] * transfer[0] + light[1] * transfer[1]) + light[2] * transfer[2];
+    float t2 = ((t1 + light[3] * transfer[3]) + light[4] * transfer[4]) + light[5] * transfer[5];
+    float t3 = ((t2 + light[6] * transfer[6]) + light[7] * transfer[7]) + light[8] * transfer[8];
+    float t4 = ((t3 + light[9] * transfer[9]) + light[10] * transfer[10]) + light[11] * transfer[11];
+    float t5 = ((t4 + light[12] * transfer[12]) + light[13] * transfer[13]) + light[14] * transfer[14];
+    float t6 = (light[16] * transfer[16] + light[17] * transfer[17]) + light[18] * transfer[18];
+    float t7 = ((t6 + light[19] * transfer[19]) + light[20] * transfer[20]) + light[21] * transfer[21];
+    float t8 = ((t7 + light[22] * transfer[22]) + light[23] * transfer[23]) + light[24] * transfer[24];
+    float t9 = ((t8 + light[25] * transfer[25]) + light[26] * transfer[26]) + light[27] * transfer[27];
+    float t10 = ((t9 + light[28] * transfer[28]) + light[29] * transfer[29]) + light[30] * transfer[30];
+    float t11 = (light[32] * transfer[32] + light[33] * transfer[33]) + light[34] * transfer[34];
+    float t12 = (t11 + light[35] * transfer[35]) + light[36] * transfer[36];
+    float t13 = (t12 + light[37] * transfer[37]) + light[38] * transfer[38];
+    float t14 = (t13 + light[39] * transfer[39]) + light[40] * transfer[40];
+    float t15 = (t14 + light[41] * transfer[41]) + light[42] * transfer[42];
+    float t16 = (t15 + light[43] * transfer[43]) + light[44] * transfer[44];
+    float t17 = (t16 + light[45] * transfer[45]) + light[46] * transfer[46];
+    return float3(t5 + light[15] * transfer[15], t10 + light[31] * transfer[31], t17 + light[47] * transfer[47]);
+}
+
 // shade_diffuse, the share of four coefficients: 12 multiplications, 9 additions (9 can fuse), 3 stores
 float3 prt_shade_diffuse_four(float4 transfer, float4 red, float4 green, float4 blue) {
     float t1 = (red.x * transfer.x + red.y * transfer.y) + red.z * transfer.z;

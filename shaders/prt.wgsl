@@ -1033,6 +1033,28 @@ fn prt_shade_diffuse(transfer: array<f32, 16>, light: array<f32, 48>) -> vec3<f3
     return vec3<f32>((t18 + light[14] * t19) + light[15] * t20, (t24 + t19 * light[30]) + t20 * light[31], (t28 + t19 * light[46]) + t20 * light[47]);
 }
 
+// exit radiance from transfer of three planes, 4 bands: 48 multiplications, 45 additions (45 can fuse), 96 loads, 3 stores
+fn prt_shade_diffuse_rgb(transfer: array<f32, 48>, light: array<f32, 48>) -> vec3<f32> {
+    let t1: f32 = (light[0] * transfer[0] + light[1] * transfer[1]) + light[2] * transfer[2];
+    let t2: f32 = ((t1 + light[3] * transfer[3]) + light[4] * transfer[4]) + light[5] * transfer[5];
+    let t3: f32 = ((t2 + light[6] * transfer[6]) + light[7] * transfer[7]) + light[8] * transfer[8];
+    let t4: f32 = ((t3 + light[9] * transfer[9]) + light[10] * transfer[10]) + light[11] * transfer[11];
+    let t5: f32 = ((t4 + light[12] * transfer[12]) + light[13] * transfer[13]) + light[14] * transfer[14];
+    let t6: f32 = (light[16] * transfer[16] + light[17] * transfer[17]) + light[18] * transfer[18];
+    let t7: f32 = ((t6 + light[19] * transfer[19]) + light[20] * transfer[20]) + light[21] * transfer[21];
+    let t8: f32 = ((t7 + light[22] * transfer[22]) + light[23] * transfer[23]) + light[24] * transfer[24];
+    let t9: f32 = ((t8 + light[25] * transfer[25]) + light[26] * transfer[26]) + light[27] * transfer[27];
+    let t10: f32 = ((t9 + light[28] * transfer[28]) + light[29] * transfer[29]) + light[30] * transfer[30];
+    let t11: f32 = (light[32] * transfer[32] + light[33] * transfer[33]) + light[34] * transfer[34];
+    let t12: f32 = (t11 + light[35] * transfer[35]) + light[36] * transfer[36];
+    let t13: f32 = (t12 + light[37] * transfer[37]) + light[38] * transfer[38];
+    let t14: f32 = (t13 + light[39] * transfer[39]) + light[40] * transfer[40];
+    let t15: f32 = (t14 + light[41] * transfer[41]) + light[42] * transfer[42];
+    let t16: f32 = (t15 + light[43] * transfer[43]) + light[44] * transfer[44];
+    let t17: f32 = (t16 + light[45] * transfer[45]) + light[46] * transfer[46];
+    return vec3<f32>(t5 + light[15] * transfer[15], t10 + light[31] * transfer[31], t17 + light[47] * transfer[47]);
+}
+
 // shade_diffuse, the share of four coefficients: 12 multiplications, 9 additions (9 can fuse), 3 stores
 fn prt_shade_diffuse_four(transfer: vec4<f32>, red: vec4<f32>, green: vec4<f32>, blue: vec4<f32>) -> vec3<f32> {
     let t1: f32 = (red.x * transfer.x + red.y * transfer.y) + red.z * transfer.z;

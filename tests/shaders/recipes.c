@@ -1,6 +1,6 @@
-/* The loops of docs/shaders.md around the kernels of >>fiv and >>vo, with the generated C, against prt_fiv_shade_vectors and
-   prt_vo_shade in double. The kernels are within 1e-5 of what they add up (docs/shaders-agreement.md), and there are at most
-   12 terms. */
+/* What docs/shaders.md builds from the kernels, with the generated C, against prt.h in double: the loops around the
+   kernels of >>fiv and >>vo, whose kernels are within 1e-5 of what they add up (docs/shaders-agreement.md), at most 12
+   terms; packed occluders; exponentials; deringing. */
 #define PRT_DOUBLE
 #define PRT_STATIC
 #define PRT_IMPLEMENTATION
@@ -52,7 +52,7 @@ static double fiv_scene(void) {
         hidden[i].fiv.b = vec3_of(fiv[i] + 6);
         hidden[i].to_centre = vec3_of(to[i]);
         hidden[i].radius = (double)radius[i];
-        prt_fiv_taken(total, normal, fiv[i], to[i], radius[i], taken[i]);
+        kernel_fiv_taken(total, normal, fiv[i], to[i], radius[i], taken[i]);
     }
     for (c = 0; c < 3; c++) {
         float sum = 0, most = 0, twice = 0;
@@ -61,7 +61,7 @@ static double fiv_scene(void) {
             most = fmaxf(most, taken[i][c]);
             for (j = 0; j < i; j++)
                 twice += fminf(fminf(taken[i][c], taken[j][c]),
-                               prt_fiv_overlap(to[i], radius[i], to[j], radius[j]) * (taken[i][c] + taken[j][c]));
+                               kernel_fiv_overlap(to[i], radius[i], to[j], radius[j]) * (taken[i][c] + taken[j][c]));
         }
         left[c] = fmaxf(total[c] - fminf(fmaxf(sum - twice, most), sum), 0);
     }
@@ -128,14 +128,14 @@ static double vo_scene(int cap) {
         fill(color, 3, 0, 1);
         lights[j].position = vec3_of(place);
         lights[j].color = rgb_of(color);
-        prt_vo_direct(position, normal, eye, diffuse, specular, shininess, place, color, direct);
+        kernel_vo_direct(position, normal, eye, diffuse, specular, shininess, place, color, direct);
         for (i = 0; i < count; i++) {
             float pass[3], sent[3];
-            if (cap) prt_vo_pass_cap(position, normal, place, strength, o[i].occlusion, o[i].caustic, o[i].transmissive, o[i].factor,
+            if (cap) kernel_vo_pass_cap(position, normal, place, strength, o[i].occlusion, o[i].caustic, o[i].transmissive, o[i].factor,
                                      o[i].caustic_factor, pass);
-            else prt_vo_pass(position, place, strength, o[i].occlusion, o[i].caustic, o[i].transmissive, o[i].factor,
+            else kernel_vo_pass(position, place, strength, o[i].occlusion, o[i].caustic, o[i].transmissive, o[i].factor,
                              o[i].caustic_factor, pass);
-            prt_vo_sent(position, normal, eye, diffuse, specular, place, color, o[i].position, o[i].diffuse_normal,
+            kernel_vo_sent(position, normal, eye, diffuse, specular, place, color, o[i].position, o[i].diffuse_normal,
                         o[i].specular_normal, o[i].diffuse, o[i].specular, weights, 8, sent);
             for (c = 0; c < 3; c++) { direct[c] *= pass[c]; out[c] += sent[c]; }
         }
@@ -146,23 +146,125 @@ static double vo_scene(int cap) {
     return difference(want, out) / fmax(1, fmax(want.r, fmax(want.g, want.b)));
 }
 
-static int report(int number, const char *name, double worst) {
-    int ok = worst <= 12 * 1e-5;
-    printf("%s %d - the loop of %s: largest difference %.1e\n", ok ? "ok" : "not ok", number, name, worst);
+/* ---- packed occluders: GLSL's functions, and the words as docs/shaders.md reads them ---- */
+
+static void unpackHalf2x16(uint32_t word, float v[2]) {
+    int i;
+    for (i = 0; i < 2; i++, word >>= 16) {
+        int exponent = (int)(word >> 10 & 31), mantissa = (int)(word & 1023);
+        v[i] = (float)ldexp(exponent ? 1024 + mantissa : mantissa, (exponent ? exponent : 1) - 25) *
+               (word & 0x8000u ? -1.0f : 1.0f);
+    }
+}
+static void unpackSnorm2x16(uint32_t word, float v[2]) {
+    v[0] = fmaxf((float)(int16_t)(word & 0xffffu) / 32767, -1);
+    v[1] = fmaxf((float)(int16_t)(word >> 16) / 32767, -1);
+}
+
+static double apart(prt_vec3 want, const float *got) {
+    return fmax(fabs(want.x - (double)got[0]), fmax(fabs(want.y - (double)got[1]), fabs(want.z - (double)got[2])));
+}
+
+static double packed_scene(void) {
+    float position[3], xy[2], zf[2], o[2], length[2], place[3], occlusion[3], normal[3], diffuse[3];
+    const float unit = 4;
+    occluder values;
+    prt_vo_occluder in = fill_occluder(&values), want;
+    prt_vo_packed p;
+    int c;
+    memset(&want, 0, sizeof want);
+    fill(position, 3, -1, 1);
+    if (prt_vo_pack((double)unit, vec3_of(position), 1, &in, &p) != PRT_OK ||
+        prt_vo_unpack((double)unit, vec3_of(position), 1, &p, &want) != PRT_OK) return NAN;
+    unpackHalf2x16(p.word[0], xy);
+    unpackHalf2x16(p.word[1], zf);
+    unpackSnorm2x16(p.word[2], o);
+    unpackHalf2x16(p.word[4], length);
+    place[0] = position[0] + unit * xy[0]; place[1] = position[1] + unit * xy[1]; place[2] = position[2] + unit * zf[0];
+    kernel_vo_unfold(o[0], o[1], occlusion);
+    kernel_vo_unfold(((float)(p.word[3] & 4095u) - 2048) / 2047, ((float)(p.word[3] >> 12 & 4095u) - 2048) / 2047, normal);
+    for (c = 0; c < 3; c++) normal[c] *= length[0];
+    for (c = 0; c < 3; c++) if (!(zf[1] > 0)) occlusion[c] = 0;
+    diffuse[0] = (float)(p.word[3] >> 24) / 255;
+    diffuse[0] *= diffuse[0];
+    return fmax(fmax(apart(want.position, place), apart(want.occlusion, occlusion)),
+                fmax(apart(want.diffuse_normal, normal),
+                     fmax(fabs(want.form_factor - (double)zf[1]), fabs(want.diffuse.r - (double)diffuse[0]))));
+}
+
+/* ---- functions of 4 bands ---- */
+
+enum { N = 16 };
+
+/* Difference of coefficients over the largest of them */
+static double coefficients_apart(const double *want, const float *got) {
+    double worst = 0, largest = 0;
+    int i;
+    for (i = 0; i < N; i++) {
+        double d = fabs(want[i] - (double)got[i]);
+        if (!(d <= worst)) worst = d;
+        if (fabs(want[i]) > largest) largest = fabs(want[i]);
+    }
+    return worst / largest;
+}
+
+static double exponential(void) {
+    float f[N], out[N], f0, size = 0;
+    double in[N], want[N] = { 0 };
+    int i, h;
+    fill(f, N, -2, 2);
+    f[0] = (float)uniform(-8, 0);
+    for (i = 0; i < N; i++) in[i] = (double)f[i];
+    if (prt_sh_exp(4, in, want) != PRT_OK) return NAN;
+    f0 = f[0];
+    f[0] = 0;
+    for (i = 0; i < N; i++) size += f[i] * f[i];
+    h = (int)fmaxf(0, ceilf(0.5f * log2f(fmaxf(size, 1e-30f))));
+    for (i = 0; i < N; i++) f[i] *= exp2f(-(float)h);
+    kernel_sh_exp_series(f, out);
+    for (; h > 0; h--) {
+        float copy[N];
+        memcpy(copy, out, sizeof copy);
+        kernel_sh_square(copy, out);
+    }
+    for (i = 0; i < N; i++) out[i] *= expf(0.282094792f * f0);
+    return coefficients_apart(want, out);
+}
+
+static double dering(void) {
+    float f[N], out[N];
+    double in[N], want[N] = { 0 }, strength = 0;
+    int i;
+    fill(f, N, -1, 1);
+    f[0] = 2;
+    for (i = 0; i < N; i++) in[i] = (double)f[i];
+    if (prt_sh_dering(4, in, want, &strength) != PRT_OK) return NAN;
+    kernel_sh_window_dering((float)strength, f, out);
+    return coefficients_apart(want, out);
+}
+
+static int report(int number, const char *name, int scenes, double (*scene)(void), double allowed) {
+    double worst = 0;
+    int i, ok;
+    for (i = 0; i < scenes; i++) {
+        double d = scene();
+        if (!(d <= worst)) worst = d;
+    }
+    ok = worst <= allowed;
+    printf("%s %d - %s: largest difference %.1e\n", ok ? "ok" : "not ok", number, name, worst);
     return !ok;
 }
 
+static double vo_sine_scene(void) { return vo_scene(0); }
+static double vo_cap_scene(void) { return vo_scene(1); }
+
 int main(void) {
-    double worst[3] = { 0, 0, 0 };
-    int i, j, failed;
-    for (i = 0; i < SCENES; i++)
-        for (j = 0; j < 3; j++) {
-            double d = j == 0 ? fiv_scene() : vo_scene(j == 2);
-            if (!(d <= worst[j])) worst[j] = d;
-        }
-    failed = report(1, "moving occluders", worst[0]);
-    failed |= report(2, "vector occluders", worst[1]);
-    failed |= report(3, "vector occluders as caps", worst[2]);
-    printf("1..3\n");
+    int failed = report(1, "the loop of moving occluders", SCENES, fiv_scene, 12 * 1e-5);
+    failed |= report(2, "the loop of vector occluders", SCENES, vo_sine_scene, 12 * 1e-5);
+    failed |= report(3, "the loop of vector occluders as caps", SCENES, vo_cap_scene, 12 * 1e-5);
+    failed |= report(4, "packed vector occluders", SCENES, packed_scene, 4e-6);
+    failed |= report(5, "exponentials", 200, exponential, 2e-4);
+    failed |= report(6, "deringing", 20, dering, 1e-6);
+    printf("1..6\n");
     return failed;
 }

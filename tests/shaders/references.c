@@ -287,6 +287,7 @@ static void vo_unfold(const double *in, double *out) {
     X(sh_dot, 0, *out = prt_sh_dot(n, in, in + n * n)) \
     X(sh_product, 0, prt_sh_product(n, in, in + n * n, out)) \
     X(sh_square, 0, prt_sh_square(n, in, out)) \
+    X(shade_diffuse_rgb, 0, prt_shade_diffuse_rgb(n, in, in + 3 * n * n, (prt_rgb *)(void *)out)) \
     X(shade_diffuse, 0, prt_shade_diffuse(n, in, in + n * n, (prt_rgb *)(void *)out))
 
 #define REFERENCE(name, approximation, call) \
