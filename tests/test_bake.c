@@ -1,29 +1,19 @@
 /* >>direct: transfer against closed forms and quadrature, independence of range and thread, errors, memory. */
 #include "memory_hook.h"
 #include "test.h"
+#include "geometry.h"
 #include <float.h>
 #include <limits.h>
 #include <pthread.h>
 
 enum { BANDS = 5, N = PRT_SH_COUNT(BANDS) };
-static const double pi = 3.14159265358979323846;
 
 /* ---- scenes ---- */
-
-static prt_vec3 vec3(double x, double y, double z) {
-    prt_vec3 v;
-    v.x = (prt_real)x; v.y = (prt_real)y; v.z = (prt_real)z;
-    return v;
-}
 
 static prt_point point(prt_vec3 position, prt_vec3 normal) {
     prt_point p;
     p.position = position; p.normal = normal;
     return p;
-}
-
-static double dot(prt_vec3 a, prt_vec3 b) {
-    return (double)a.x * (double)b.x + (double)a.y * (double)b.y + (double)a.z * (double)b.z;
 }
 
 /* One ball; fails at call number fail_at. */

@@ -2,16 +2,10 @@
    errors, memory; shading from three planes of transfer. */
 #include "memory_hook.h"
 #include "test.h"
+#include "geometry.h"
 #include <limits.h>
 
 enum { BANDS = 5, N = PRT_SH_COUNT(BANDS) };
-static const double pi = 3.14159265358979323846;
-
-static prt_vec3 vec3(double x, double y, double z) {
-    prt_vec3 v;
-    v.x = (prt_real)x; v.y = (prt_real)y; v.z = (prt_real)z;
-    return v;
-}
 
 static prt_rgb rgb(double r, double g, double b) {
     prt_rgb c;

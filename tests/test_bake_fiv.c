@@ -1,32 +1,11 @@
 /* Room >>fiv of the baker: totals, vectors of occluders, what lies inside, ranges, errors, memory. */
 #include "memory_hook.h"
 #include "test.h"
+#include "geometry.h"
 
 #define EPS BY_PRECISION((double)FLT_EPSILON, DBL_EPSILON)
-static const double pi = 3.14159265358979323846;
 
 /* ---- small helpers ---- */
-
-static unsigned seed_ = 1;
-static double uniform(void) {
-    seed_ = seed_ * 1664525u + 1013904223u;
-    return (double)(seed_ >> 8) / 16777216.0;
-}
-
-static prt_vec3 vec3(double x, double y, double z) {
-    prt_vec3 v;
-    v.x = (prt_real)x; v.y = (prt_real)y; v.z = (prt_real)z;
-    return v;
-}
-
-static prt_vec3 random_unit(void) {
-    double z = 2 * uniform() - 1, a = 2 * pi * uniform(), r = sqrt(1 - z * z);
-    return vec3(r * cos(a), r * sin(a), z);
-}
-
-static double dot(prt_vec3 a, prt_vec3 b) {
-    return (double)a.x * (double)b.x + (double)a.y * (double)b.y + (double)a.z * (double)b.z;
-}
 
 static void components(const prt_fiv *f, double out[9]) {
     const prt_vec3 v[3] = { f->r, f->g, f->b };
@@ -127,7 +106,7 @@ static void totals_of_opposite_normals(void **state) {
         for (k = 0; k < 40; k++) {
             prt_vec3 n[2];
             prt_rgb i[2];
-            n[0] = random_unit();
+            n[0] = random_direction();
             n[1] = vec3(-(double)n[0].x, -(double)n[0].y, -(double)n[0].z);
             assert_int_equal(prt_bake_fiv_irradiance(&e, 2, n, i), PRT_OK);
             assert_near(i[0].r - i[1].r, v[0] * (double)n[0].x + v[1] * (double)n[0].y + v[2] * (double)n[0].z, 300 * EPS);
@@ -143,7 +122,7 @@ static void totals_agree_with_quadrature(void **state) {
     for (s = 0; s < 4; s++) {
         prt_fiv_env e = s < 2 ? equirect_env(s ? 16 : 3, s ? 8 : 3) : cube_env(s == 2 ? 1 : 5);
         for (k = 0; k < 1; k++) {
-            prt_vec3 n = random_unit();
+            prt_vec3 n = random_direction();
             double normal[3], want[3];
             prt_rgb got;
             normal[0] = (double)n.x; normal[1] = (double)n.y; normal[2] = (double)n.z;

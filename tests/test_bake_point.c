@@ -3,13 +3,8 @@
 #define PRT_BAKE_IMPLEMENTATION
 #include "prt_bake.h"
 #include "test.h"
+#include "geometry.h"
 #include <float.h>
-
-static prt_vec3 vec3(double x, double y, double z) {
-    prt_vec3 p;
-    p.x = (prt_real)x; p.y = (prt_real)y; p.z = (prt_real)z;
-    return p;
-}
 
 static void assert_vec3(prt_vec3 got, double x, double y, double z, double tolerance) {
     assert_near(got.x, x, tolerance); assert_near(got.y, y, tolerance); assert_near(got.z, z, tolerance);

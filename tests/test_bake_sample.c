@@ -3,22 +3,12 @@
 #define PRT_BAKE_IMPLEMENTATION
 #include "prt_bake.h"
 #include "test.h"
+#include "geometry.h"
 #include <limits.h>
 
 enum { MOST = 4096 };
-static const double pi = 3.14159265358979323846;
 static prt_real u[MOST], v[MOST], other_u[MOST], other_v[MOST];
 static prt_vec3 dirs[MOST];
-
-static prt_vec3 vec3(double x, double y, double z) {
-    prt_vec3 p;
-    p.x = (prt_real)x; p.y = (prt_real)y; p.z = (prt_real)z;
-    return p;
-}
-
-static double dot(prt_vec3 a, prt_vec3 b) {
-    return (double)a.x * (double)b.x + (double)a.y * (double)b.y + (double)a.z * (double)b.z;
-}
 
 static void draw(prt_sample_set set, int total, uint64_t seed, uint64_t index) {
     assert_int_equal(prt_sample_square(set, total, seed, index, 0, total, u, v), PRT_OK);

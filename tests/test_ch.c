@@ -2,26 +2,12 @@
 #define PRT_IMPLEMENTATION
 #include "prt.h"
 #include "test.h"
+#include "geometry.h"
 #include "golden_csv.h"
 #include <mpfr.h>
 
 #define EPS BY_PRECISION((double)FLT_EPSILON, DBL_EPSILON)
 enum { MAX_N = PRT_SH_COUNT(PRT_MAX_BANDS) };
-
-static double uniform(uint64_t *state) {
-    *state ^= *state << 13; *state ^= *state >> 7; *state ^= *state << 17;
-    return (double)(*state >> 11) / 9007199254740992.0;
-}
-
-static prt_vec3 random_direction(uint64_t *state) {
-    double z = 2 * uniform(state) - 1, phi = 6.283185307179586 * uniform(state), s = sqrt(1 - z * z);
-    return prt__vec3((prt_real)(s * cos(phi)), (prt_real)(s * sin(phi)), (prt_real)z);
-}
-
-static void random_vector(uint64_t *seed, int count, prt_real *f) {
-    int i;
-    for (i = 0; i < count; i++) f[i] = (prt_real)(uniform(seed) - 0.5);
-}
 
 static double norm_of(int count, const prt_real *f) {
     double sum = 0;
@@ -222,13 +208,12 @@ static void agrees_with_the_definition(void **state) {
     static double want[COUNT * MAX_N];
     static prt_real c[MAX_N];
     prt_vec3 dirs[COUNT];
-    uint64_t seed = 88172645463325252u;
     size_t row;
     int k, i;
     (void)state;
     for (k = 0; k < COUNT; k++) {
         double tilt = k < 20 ? pow(10, -k / 2.0) : 0;
-        dirs[k] = random_direction(&seed);
+        dirs[k] = random_direction();
         if (k < 22) dirs[k] = prt__vec3((prt_real)(sin(tilt) * 0.6), (prt_real)(sin(tilt) * -0.8),
                                         (prt_real)((k & 1 ? -1 : 1) * cos(tilt)));
     }
@@ -294,12 +279,11 @@ static void norms_reach_far(void **state) {
 }
 
 static void kernels_agree_with_the_recurrence(void **state) {
-    uint64_t seed = 1181783497276652981u;
     int bands, k, i;
     (void)state;
     for (bands = 1; bands <= PRT__SH_KERNELS; bands++)
         for (k = 0; k < 200; k++) {
-            prt_vec3 d = random_direction(&seed);
+            prt_vec3 d = random_direction();
             prt_real c[100], slow[100];
             prt_ch_eval(bands, d, c);
             prt__ch_recurrence(bands, d, NULL, slow, 1);
@@ -313,12 +297,11 @@ static void batches_are_bit_equal_whatever_the_count(void **state) {
     static prt_vec3 dirs[COUNT];
     static prt_real x[COUNT], y[COUNT], z[COUNT];
     static prt_real rows[COUNT * 256], part[COUNT * 256], soa[256 * STRIDE], all[256 * COUNT];
-    uint64_t seed = 4101842887655102017u;
     size_t b;
     int k, i, first, count;
     (void)state;
     for (k = 0; k < COUNT; k++) {
-        dirs[k] = random_direction(&seed);
+        dirs[k] = random_direction();
         x[k] = dirs[k].x; y[k] = dirs[k].y; z[k] = dirs[k].z;
     }
     for (b = 0; b < sizeof bands_of / sizeof bands_of[0]; b++) {
@@ -374,17 +357,16 @@ static void conversion_is_the_integral_of_c_and_y(void **state) {
 
 static void conversion_keeps_the_function(void **state) {
     static prt_real f[MAX_N], a[MAX_N], back[MAX_N];
-    uint64_t seed = 2685821657736338717u;
     int bands, k;
     (void)state;
     for (bands = 1; bands <= PRT_MAX_BANDS; bands += bands < 20 ? 1 : 11) {
         int n = bands * bands;
         double size;
-        random_vector(&seed, n, f);
+        random_vector(n, f);
         size = norm_of(n, f);
         assert_int_equal(prt_ch_from_sh(bands, f, a), PRT_OK);
         for (k = 0; k < 10; k++) {                      /* errors of both evaluations, growing as l EPS |f| |Y| */
-            prt_vec3 d = random_direction(&seed);
+            prt_vec3 d = random_direction();
             assert_near(prt_ch_at(bands, a, d), prt_sh_at(bands, f, d),
                         4 * bands * EPS * size * bands / sqrt(4 * PRT__PI));
         }
@@ -400,11 +382,10 @@ static void conversions_may_alias(void **state) {
     typedef prt_result conversion(int, const prt_real *, prt_real *);
     static conversion *const all[4] = { prt_ch_from_sh, prt_sh_from_ch, prt_ch_from_moments, prt_ch_to_moments };
     prt_real f[100], out[100];
-    uint64_t seed = 77;
     int i;
     (void)state;
     for (i = 0; i < 4; i++) {
-        random_vector(&seed, 100, f);
+        random_vector(100, f);
         assert_int_equal(all[i](10, f, out), PRT_OK);
         assert_int_equal(all[i](10, f, f), PRT_OK);
         assert_memory_equal(f, out, sizeof f);
@@ -456,10 +437,9 @@ static void moments_give_the_projection(void **state) {
     enum { WIDE = 9, BANDS = 6, N = BANDS * BANDS };
     prt_real f[WIDE * WIDE], c[N], moments[N] = { 0 }, a[N], want[N];
     double sum[N] = { 0 };
-    uint64_t seed = 41;
     int i, j, k;
     (void)state;
-    random_vector(&seed, WIDE * WIDE, f);
+    random_vector(WIDE * WIDE, f);
     for (i = 0; i < WIDE; i++) {
         double z, weight;
         prt__gauss_legendre(WIDE, i, &z, &weight);
@@ -478,14 +458,13 @@ static void moments_give_the_projection(void **state) {
 
 static void dot_is_the_integral(void **state) {
     static prt_real f[MAX_N], g[MAX_N], a[MAX_N], b[MAX_N];
-    uint64_t seed = 97;
     int bands;
     (void)state;
     for (bands = 1; bands <= PRT_MAX_BANDS; bands += bands < 12 ? 1 : 13) {
         int n = bands * bands;
         double size;
-        random_vector(&seed, n, f);
-        random_vector(&seed, n, g);
+        random_vector(n, f);
+        random_vector(n, g);
         size = norm_of(n, f) * norm_of(n, g);
         prt_ch_from_sh(bands, f, a);
         prt_ch_from_sh(bands, g, b);
@@ -512,7 +491,6 @@ static prt_vec3 turned_direction(const prt_real r[9], prt_vec3 v) {
 static void rotation_moves_the_features(void **state) {
     static const int bands_of[] = { 1, 2, 3, 5, 8, 10, 17, 33 };
     static prt_real f[MAX_N], out[MAX_N];
-    uint64_t seed = 6364136223846793005u;
     size_t b;
     int k;
     (void)state;
@@ -522,11 +500,11 @@ static void rotation_moves_the_features(void **state) {
             prt_real r[9];
             double size;
             turn(0.1 + 0.6 * k, k & 1, r);
-            random_vector(&seed, n, f);
+            random_vector(n, f);
             size = norm_of(n, f);
             assert_int_equal(prt_ch_rotate(bands, r, f, out), PRT_OK);
             for (j = 0; j < 10; j++) {
-                prt_vec3 v = random_direction(&seed);
+                prt_vec3 v = random_direction();
                 assert_near(prt_ch_at(bands, out, turned_direction(r, v)), prt_ch_at(bands, f, v),
                             12 * bands * EPS * size * bands / sqrt(4 * PRT__PI));
             }
@@ -538,14 +516,13 @@ static void rotation_moves_the_features(void **state) {
 /* Of factors whose product fits the bands the product is the product, at every direction; else it is SH's. */
 static void product_is_the_product(void **state) {
     static prt_real f[MAX_N], g[MAX_N], a[MAX_N], b[MAX_N], ab[MAX_N], want[MAX_N];
-    uint64_t seed = 1442695040888963407u;
     int bands, k, i;
     (void)state;
     for (bands = 1; bands <= 17; bands += bands < 9 ? 1 : 4) {
         int n = bands * bands, half = (bands + 1) / 2;
         for (k = 0; k < 4; k++) {
-            random_vector(&seed, n, f);
-            random_vector(&seed, n, g);
+            random_vector(n, f);
+            random_vector(n, g);
             assert_int_equal(prt_ch_from_sh(bands, f, a), PRT_OK);
             assert_int_equal(prt_ch_from_sh(bands, g, b), PRT_OK);
             assert_int_equal(prt_ch_product(bands, a, b, ab), PRT_OK);
@@ -555,7 +532,7 @@ static void product_is_the_product(void **state) {
             for (i = half * half; i < n; i++) a[i] = b[i] = 0;
             assert_int_equal(prt_ch_product(bands, a, b, ab), PRT_OK);
             for (i = 0; i < 10; i++) {
-                prt_vec3 v = random_direction(&seed);
+                prt_vec3 v = random_direction();
                 assert_near(prt_ch_at(bands, ab, v), (double)prt_ch_at(bands, a, v) * (double)prt_ch_at(bands, b, v),
                             40 * bands * bands * EPS * norm_of(n, a) * norm_of(n, b));
             }

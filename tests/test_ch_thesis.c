@@ -4,6 +4,7 @@
 #define PRT_IMPLEMENTATION
 #include "prt.h"
 #include "test.h"
+#include "geometry.h"
 
 #define EPS BY_PRECISION((double)FLT_EPSILON, DBL_EPSILON)
 enum { MAX_BANDS = 8, MAX_N = MAX_BANDS * MAX_BANDS, DIRECTIONS = 400 };
@@ -11,15 +12,6 @@ enum { MAX_BANDS = 8, MAX_N = MAX_BANDS * MAX_BANDS, DIRECTIONS = 400 };
 static prt_vec3 scattered(int k) {                                              /* Fibonacci directions */
     double z = 1 - (2 * k + 1.0) / DIRECTIONS, s = sqrt(1 - z * z), phi = 2.399963229728653 * k;
     return prt__vec3((prt_real)(s * cos(phi)), (prt_real)(s * sin(phi)), (prt_real)z);
-}
-
-static void random_function(int bands, prt_real *sh) {
-    static uint32_t seed = 7;
-    int i;
-    for (i = 0; i < bands * bands; i++) {
-        seed = seed * 1664525u + 1013904223u;
-        sh[i] = (prt_real)((double)seed / 4294967296.0 - 0.5);
-    }
 }
 
 /* |sum (a_i - b_i) C_i| / |sum b_i C_i| over the sphere */
@@ -104,7 +96,7 @@ static void sh_matrices_do_not_turn_ch(void **state) {
         for (k = 0; k < DIRECTIONS; k++) {
             prt_real a[MAX_N], m[MAX_N], turned[MAX_N], right[MAX_N];
             double error;
-            random_function(bands, m);
+            random_vector(bands * bands, m);
             assert_int_equal(prt_ch_from_sh(bands, m, a), PRT_OK);
             assert_int_equal(prt_sh_map_axes(bands, quarter_x, m, m), PRT_OK);
             assert_int_equal(prt_ch_from_sh(bands, m, right), PRT_OK);

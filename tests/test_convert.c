@@ -3,31 +3,8 @@
 #define PRT_IMPLEMENTATION
 #include "prt.h"
 #include "test.h"
+#include "geometry.h"
 #include <mpfr.h>
-
-#define PI 3.14159265358979323846
-
-static uint32_t seed = 12345;
-static double uniform(void) {                                                    /* in [-1, 1) */
-    seed = seed * 1664525u + 1013904223u;
-    return (double)(seed >> 8) / 8388608.0 - 1;
-}
-
-static prt_vec3 random_direction(void) {
-    for (;;) {
-        double x = uniform(), y = uniform(), z = uniform(), r = sqrt(x * x + y * y + z * z);
-        if (r > 0.1 && r <= 1) {
-            prt_vec3 v;
-            v.x = (prt_real)(x / r); v.y = (prt_real)(y / r); v.z = (prt_real)(z / r);
-            return v;
-        }
-    }
-}
-
-static void random_vector(int count, prt_real *f) {
-    int i;
-    for (i = 0; i < count; i++) f[i] = (prt_real)uniform();
-}
 
 /* ---- the owners' bases ---- */
 
@@ -48,31 +25,31 @@ static void directx(double x, double y, double z, double *b) {
 /* google/spherical-harmonics sh/spherical_harmonics.cc, the closed forms beside HardcodedSH00 to HardcodedSH4p4. */
 static void google(double x, double y, double z, double *b) {
     double x2 = x * x, y2 = y * y, z2 = z * z;
-    b[0] = 0.5 * sqrt(1 / PI);
-    b[1] = -sqrt(3 / (4 * PI)) * y;
-    b[2] = sqrt(3 / (4 * PI)) * z;
-    b[3] = -sqrt(3 / (4 * PI)) * x;
-    b[4] = 0.5 * sqrt(15 / PI) * x * y;
-    b[5] = -0.5 * sqrt(15 / PI) * y * z;
-    b[6] = 0.25 * sqrt(5 / PI) * (-x2 - y2 + 2 * z2);
-    b[7] = -0.5 * sqrt(15 / PI) * x * z;
-    b[8] = 0.25 * sqrt(15 / PI) * (x2 - y2);
-    b[9] = -0.25 * sqrt(35 / (2 * PI)) * y * (3 * x2 - y2);
-    b[10] = 0.5 * sqrt(105 / PI) * x * y * z;
-    b[11] = -0.25 * sqrt(21 / (2 * PI)) * y * (4 * z2 - x2 - y2);
-    b[12] = 0.25 * sqrt(7 / PI) * z * (2 * z2 - 3 * x2 - 3 * y2);
-    b[13] = -0.25 * sqrt(21 / (2 * PI)) * x * (4 * z2 - x2 - y2);
-    b[14] = 0.25 * sqrt(105 / PI) * z * (x2 - y2);
-    b[15] = -0.25 * sqrt(35 / (2 * PI)) * x * (x2 - 3 * y2);
-    b[16] = 0.75 * sqrt(35 / PI) * x * y * (x2 - y2);
-    b[17] = -0.75 * sqrt(35 / (2 * PI)) * y * z * (3 * x2 - y2);
-    b[18] = 0.75 * sqrt(5 / PI) * x * y * (7 * z2 - 1);
-    b[19] = -0.75 * sqrt(5 / (2 * PI)) * y * z * (7 * z2 - 3);
-    b[20] = 3.0 / 16 * sqrt(1 / PI) * (35 * z2 * z2 - 30 * z2 + 3);
-    b[21] = -0.75 * sqrt(5 / (2 * PI)) * x * z * (7 * z2 - 3);
-    b[22] = 3.0 / 8 * sqrt(5 / PI) * (x2 - y2) * (7 * z2 - 1);
-    b[23] = -0.75 * sqrt(35 / (2 * PI)) * x * z * (x2 - 3 * y2);
-    b[24] = 3.0 / 16 * sqrt(35 / PI) * (x2 * (x2 - 3 * y2) - y2 * (3 * x2 - y2));
+    b[0] = 0.5 * sqrt(1 / pi);
+    b[1] = -sqrt(3 / (4 * pi)) * y;
+    b[2] = sqrt(3 / (4 * pi)) * z;
+    b[3] = -sqrt(3 / (4 * pi)) * x;
+    b[4] = 0.5 * sqrt(15 / pi) * x * y;
+    b[5] = -0.5 * sqrt(15 / pi) * y * z;
+    b[6] = 0.25 * sqrt(5 / pi) * (-x2 - y2 + 2 * z2);
+    b[7] = -0.5 * sqrt(15 / pi) * x * z;
+    b[8] = 0.25 * sqrt(15 / pi) * (x2 - y2);
+    b[9] = -0.25 * sqrt(35 / (2 * pi)) * y * (3 * x2 - y2);
+    b[10] = 0.5 * sqrt(105 / pi) * x * y * z;
+    b[11] = -0.25 * sqrt(21 / (2 * pi)) * y * (4 * z2 - x2 - y2);
+    b[12] = 0.25 * sqrt(7 / pi) * z * (2 * z2 - 3 * x2 - 3 * y2);
+    b[13] = -0.25 * sqrt(21 / (2 * pi)) * x * (4 * z2 - x2 - y2);
+    b[14] = 0.25 * sqrt(105 / pi) * z * (x2 - y2);
+    b[15] = -0.25 * sqrt(35 / (2 * pi)) * x * (x2 - 3 * y2);
+    b[16] = 0.75 * sqrt(35 / pi) * x * y * (x2 - y2);
+    b[17] = -0.75 * sqrt(35 / (2 * pi)) * y * z * (3 * x2 - y2);
+    b[18] = 0.75 * sqrt(5 / pi) * x * y * (7 * z2 - 1);
+    b[19] = -0.75 * sqrt(5 / (2 * pi)) * y * z * (7 * z2 - 3);
+    b[20] = 3.0 / 16 * sqrt(1 / pi) * (35 * z2 * z2 - 30 * z2 + 3);
+    b[21] = -0.75 * sqrt(5 / (2 * pi)) * x * z * (7 * z2 - 3);
+    b[22] = 3.0 / 8 * sqrt(5 / pi) * (x2 - y2) * (7 * z2 - 1);
+    b[23] = -0.75 * sqrt(35 / (2 * pi)) * x * z * (x2 - 3 * y2);
+    b[24] = 3.0 / 16 * sqrt(35 / pi) * (x2 * (x2 - 3 * y2) - y2 * (3 * x2 - y2));
 }
 
 /* mrdoob/three.js src/math/SphericalHarmonics3.js, getBasisAt. Six digits. */
@@ -113,7 +90,7 @@ static void splat(double x, double y, double z, double *b) {
 
 /* google/filament libs/ibl/src/CubemapSH.cpp, TSH (its own check of computeSH). */
 static void filament(double x, double y, double z, double *b) {
-    double r = 1 / (2 * sqrt(PI));
+    double r = 1 / (2 * sqrt(pi));
     b[0] = r;
     b[1] = -sqrt(3) * y * r; b[2] = sqrt(3) * z * r; b[3] = -sqrt(3) * x * r;
     b[4] = sqrt(15) * y * x * r; b[5] = -sqrt(15) * y * z * r; b[6] = sqrt(5) * (3 * z * z - 1) * r / 2;
@@ -186,14 +163,14 @@ static double irradiance_over_pi(const prt_real *light, prt_vec3 n) {
     for (i = 0; i < 4; i++) {
         double c = node[i], s = sqrt(1 - c * c);
         for (k = 0; k < 8; k++) {
-            double p = s * cos(PI * k / 4), q = s * sin(PI * k / 4), b[25], value = 0;
+            double p = s * cos(pi * k / 4), q = s * sin(pi * k / 4), b[25], value = 0;
             int j;
             google(c * nx + p * ux + q * vx, c * ny + p * uy + q * vy, c * nz + p * uz + q * vz, b);
             for (j = 0; j < 9; j++) value += (double)light[j] * b[j] * (j == 1 || j == 3 || j == 5 || j == 7 ? -1 : 1);
-            sum += weight[i] * PI / 4 * c * value;
+            sum += weight[i] * pi / 4 * c * value;
         }
     }
-    return sum / PI;
+    return sum / pi;
 }
 
 static void irradiance_conventions_hold_irradiance_over_pi(void **state) {
@@ -237,15 +214,15 @@ static void known_lights(void **state) {
     prt_real sky[9] = { 0, 0, 0, 0, 0, 0, 0, 0, 0 }, sun[9], out[9];
     prt_vec3 up = { 0, 0, 1 };
     (void)state;
-    sky[0] = (prt_real)(2 * sqrt(PI));
+    sky[0] = (prt_real)(2 * sqrt(pi));
     assert_int_equal(prt_sh_convert(3, PRT_CONVENTION_PRT, PRT_CONVENTION_UNITY, sky, out), PRT_OK);
     assert_near(out[0], 1, 2 * (double)PRT__EPS);
     assert_int_equal(prt_sh_eval(3, up, sun), PRT_OK);
     assert_int_equal(prt_sh_convert(3, PRT_CONVENTION_PRT, PRT_CONVENTION_UNITY, sun, out), PRT_OK);
-    assert_near((double)out[0] * PI, 0.25, 2 * (double)PRT__EPS);
-    assert_near((double)out[2] * PI, 0.5, 2 * (double)PRT__EPS);
-    assert_near(2 * (double)out[6] * PI, 5.0 / 16, 2 * (double)PRT__EPS);
-    assert_near(((double)out[0] + (double)out[2] + 2 * (double)out[6]) * PI, 17.0 / 16, 4 * (double)PRT__EPS);
+    assert_near((double)out[0] * pi, 0.25, 2 * (double)PRT__EPS);
+    assert_near((double)out[2] * pi, 0.5, 2 * (double)PRT__EPS);
+    assert_near(2 * (double)out[6] * pi, 5.0 / 16, 2 * (double)PRT__EPS);
+    assert_near(((double)out[0] + (double)out[2] + 2 * (double)out[6]) * pi, 17.0 / 16, 4 * (double)PRT__EPS);
 }
 
 static void round_trips_and_aliasing(void **state) {

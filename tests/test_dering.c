@@ -2,31 +2,9 @@
 #define PRT_IMPLEMENTATION
 #include "prt.h"
 #include "test.h"
+#include "geometry.h"
 
 enum { MOST = 16 * 16, DENSE = 60000 };
-
-static uint32_t seed = 521288629u;
-static prt_real noise(void) {
-    seed ^= seed << 13;
-    seed ^= seed >> 17;
-    seed ^= seed << 5;
-    return (prt_real)((double)seed / 4294967296.0 * 2 - 1);
-}
-
-static prt_vec3 random_direction(void) {
-    prt_vec3 d;
-    double x, y, z, r;
-    do {
-        x = (double)noise();
-        y = (double)noise();
-        z = (double)noise();
-        r = sqrt(x * x + y * y + z * z);
-    } while (!(r > 0.1 && r < 1));
-    d.x = (prt_real)(x / r);
-    d.y = (prt_real)(y / r);
-    d.z = (prt_real)(z / r);
-    return d;
-}
 
 /* Y in double on DENSE random-phase spiral directions, by the definition; one table for all tests */
 static double (*dense)[64];
@@ -74,16 +52,16 @@ static void make(int kind, int bands, prt_real *f) {
     int i, k;
     memset(f, 0, sizeof(prt_real) * (size_t)(bands * bands));
     switch (kind % 4) {
-    case 0: prt_sh_cone(bands, random_direction(), PRT__R(0.8) + PRT__R(0.6) * noise(), f); break;
+    case 0: prt_sh_cone(bands, random_direction(), PRT__R(0.8) + PRT__R(0.6) * (prt_real)signed_uniform(), f); break;
     case 1: prt_sh_delta(bands, random_direction(), f); break;
     case 2:
         for (k = 0; k < 3; k++) {
-            prt_sh_cone(bands, random_direction(), PRT__R(0.6) + PRT__R(0.4) * noise(), g);
+            prt_sh_cone(bands, random_direction(), PRT__R(0.6) + PRT__R(0.4) * (prt_real)signed_uniform(), g);
             for (i = 0; i < bands * bands; i++) f[i] += g[i];
         }
         break;
     default:
-        for (i = 0; i < bands * bands; i++) f[i] = noise() * PRT__R(0.4);
+        for (i = 0; i < bands * bands; i++) f[i] = (prt_real)signed_uniform() * PRT__R(0.4);
         f[0] = PRT__R(1.5);
     }
 }

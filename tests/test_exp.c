@@ -3,23 +3,16 @@
 #define PRT_IMPLEMENTATION
 #include "prt.h"
 #include "test.h"
+#include "geometry.h"
 
 enum { MOST = 8, SIZE = MOST * MOST };
 static const double one = 3.5449077018110320546;
-
-static uint32_t seed = 362436069u;
-static double noise(void) {
-    seed ^= seed << 13;
-    seed ^= seed >> 17;
-    seed ^= seed << 5;
-    return (double)seed / 4294967296.0 * 2 - 1;
-}
 
 static void random_function(int n, double size, prt_real *f) {
     double sum = 0;
     int i;
     for (i = 0; i < n; i++) {
-        f[i] = (prt_real)noise();
+        f[i] = (prt_real)signed_uniform();
         sum += (double)f[i] * (double)f[i];
     }
     for (i = 0; i < n; i++) f[i] = (prt_real)((double)f[i] * size / sqrt(sum));

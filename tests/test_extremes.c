@@ -4,19 +4,10 @@
 #define PRT_BAKE_IMPLEMENTATION
 #include "prt_bake.h"
 #include "test.h"
+#include "geometry.h"
 
 #define EPS BY_PRECISION((double)FLT_EPSILON, DBL_EPSILON)
 #define TINY BY_PRECISION(1e-30, 1e-200)               /* halves of it, squared in double, are no subnormal numbers */
-static const double pi = 3.14159265358979323846;
-
-static prt_vec3 vec3(double x, double y, double z) { return prt__vec3((prt_real)x, (prt_real)y, (prt_real)z); }
-
-static uint64_t seed = 88172645463325252u;
-static double uniform(void) {
-    seed ^= seed << 13; seed ^= seed >> 7; seed ^= seed << 17;
-    return (double)(seed >> 11) / 9007199254740992.0;
-}
-static prt_real signed_unit(void) { return (prt_real)(2 * uniform() - 1); }
 
 /* Beside the pole Y(l,0) = +-sqrt((2l+1)/4pi) and Y(l,+-1) is linear in the tilt: right to the last digits, relatively,
    however small the tilt. All others vanish with its square. */
@@ -95,7 +86,7 @@ static void a_million_rotations(void **state) {
     double before[N];
     int i, l, turn;
     (void)state;
-    for (i = 0; i < COUNT; i++) f[i] = signed_unit();
+    for (i = 0; i < COUNT; i++) f[i] = (prt_real)signed_uniform();
     for (l = 0; l < N; l++) before[l] = sqrt((double)prt_sh_dot(l + 1, f, f) - (l ? (double)prt_sh_dot(l, f, f) : 0));
     assert_int_equal(prt_rotation_from_quaternion(q, r), PRT_OK);
     for (turn = 0; turn < TURNS; turn++) prt_sh_rotate(N, r, f, f);

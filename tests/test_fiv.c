@@ -2,37 +2,18 @@
 #define PRT_IMPLEMENTATION
 #include "prt.h"
 #include "test.h"
+#include "geometry.h"
 
 #define EPS BY_PRECISION((double)FLT_EPSILON, DBL_EPSILON)
 enum { THETAS = 9, PHIS = 16, RHOS = 5, SAMPLES = THETAS * PHIS * RHOS };
-static const double pi = 3.14159265358979323846;
 
 /* ---- small helpers ---- */
-
-static unsigned seed_ = 1;
-static double uniform(void) {                                  /* 0 ... 1 */
-    seed_ = seed_ * 1664525u + 1013904223u;
-    return (double)(seed_ >> 8) / 16777216.0;
-}
-
-static prt_vec3 vec3(double x, double y, double z) {
-    prt_vec3 v;
-    v.x = (prt_real)x; v.y = (prt_real)y; v.z = (prt_real)z;
-    return v;
-}
 
 static prt_rgb rgb(double r, double g, double b) {
     prt_rgb c;
     c.r = (prt_real)r; c.g = (prt_real)g; c.b = (prt_real)b;
     return c;
 }
-
-static prt_vec3 random_unit(void) {
-    double z = 2 * uniform() - 1, a = 2 * pi * uniform(), r = sqrt(1 - z * z);
-    return vec3(r * cos(a), r * sin(a), z);
-}
-
-static prt_vec3 scaled(prt_vec3 v, double s) { return vec3(s * (double)v.x, s * (double)v.y, s * (double)v.z); }
 
 static const prt_fiv nothing;                                  /* what a call that fails leaves as it was */
 
@@ -64,7 +45,7 @@ static prt_fiv_table random_table(void) {
     double v[9];
     int i, k;
     for (i = 0; i < SAMPLES; i++) {
-        for (k = 0; k < 9; k++) v[k] = 2 * uniform() - 1;
+        for (k = 0; k < 9; k++) v[k] = signed_uniform();
         some_samples[i] = fiv_of(v);
     }
     return t;
@@ -224,7 +205,7 @@ static void lookup_is_trilinear(void **state) {
     for (with = 0; with < 2; with++) {
         t.inside = with ? inside : NULL;
         for (k = 0; k < 4000; k++) {
-            prt_vec3 to = scaled(random_unit(), 0.5 + 6 * uniform());
+            prt_vec3 to = scaled(random_direction(), 0.5 + 6 * uniform());
             prt_fiv f = nothing;
             assert_int_equal(prt_fiv_lookup(&t, to, &f), PRT_OK);
             components(&f, got);
@@ -261,7 +242,7 @@ static void lookup_is_continuous_over_poles_and_seam(void **state) {
 
 static void lookup_falls_off_with_the_solid_angle(void **state) {
     prt_fiv_table t = random_table();
-    prt_vec3 dir = random_unit();
+    prt_vec3 dir = random_direction();
     prt_fiv a = nothing, b = nothing;
     double va[9], vb[9];
     int n;
@@ -504,7 +485,7 @@ static void scene_of(prt_fiv_occluder *o, const prt_fiv_table *t, int count) {
     int k;
     for (k = 0; k < count; k++) {
         o[k].table = t;
-        o[k].position = scaled(random_unit(), 1.2 + 8 * uniform());
+        o[k].position = scaled(random_direction(), 1.2 + 8 * uniform());
     }
 }
 
@@ -518,7 +499,7 @@ static void shading_agrees_with_the_textbook(void **state) {
     (void)state;
     for (n = 0; n < 6; n++)
         for (k = 0; k < 30; k++) {
-            prt_vec3 p = scaled(random_unit(), 0.2), normal = random_unit();
+            prt_vec3 p = scaled(random_direction(), 0.2), normal = random_direction();
             prt_rgb total = rgb(4, 3 * uniform(), 20);
             scene_of(o, &t, counts[n]);
             for (i = 0; i < counts[n]; i++) {
@@ -551,8 +532,8 @@ static void batches_give_the_same_bits(void **state) {
     skip_if_fast_math();
     scene_of(o, &t, MANY);
     for (k = 0; k < RECEIVERS; k++) {
-        p[k] = scaled(random_unit(), 2 * uniform());
-        n[k] = random_unit();
+        p[k] = scaled(random_direction(), 2 * uniform());
+        n[k] = random_direction();
         total[k] = rgb(4 * uniform(), 3, 2);
     }
     for (first = 0; first < RECEIVERS; first += 5)
@@ -582,10 +563,10 @@ static void self_shadow_leaves_out_the_inside(void **state) {
     (void)state;
     for (k = 0; k < SAMPLES; k++) inside[k] = (unsigned char)(k % 3 == 0);
     t.inside = inside;
-    for (c = 0; c < 9; c++) all[c] = 2 * uniform() - 1;
+    for (c = 0; c < 9; c++) all[c] = signed_uniform();
     environment = fiv_of(all);
     for (k = 0; k < 500; k++) {
-        prt_vec3 p = scaled(random_unit(), 1 + 3 * uniform()), n = random_unit();
+        prt_vec3 p = scaled(random_direction(), 1 + 3 * uniform()), n = random_direction();
         prt_rgb out;
         textbook_lookup(&t, scaled(p, -1), v);
         components(&environment, all);
@@ -604,17 +585,17 @@ static prt_real hidden_samples[SAMPLES * HIDDEN];
 static prt_fiv_transfer random_transfer(void) {
     prt_fiv_transfer t = { BANDS, THETAS, PHIS, RHOS, some_rho, 1, hidden_samples, NULL };
     int k;
-    for (k = 0; k < SAMPLES * HIDDEN; k++) hidden_samples[k] = (prt_real)(2 * uniform() - 1);
+    for (k = 0; k < SAMPLES * HIDDEN; k++) hidden_samples[k] = (prt_real)signed_uniform();
     return t;
 }
 
 static void random_light(prt_real light[3 * LIGHT]) {
     int k;
-    for (k = 0; k < 3 * LIGHT; k++) light[k] = (prt_real)(2 * uniform() - 1);
+    for (k = 0; k < 3 * LIGHT; k++) light[k] = (prt_real)signed_uniform();
 }
 
 static void turn_of(prt_real m[9]) {                           /* about a random axis, by Rodrigues */
-    prt_vec3 u = random_unit();
+    prt_vec3 u = random_direction();
     double a = 2 * pi * uniform(), x = (double)u.x, y = (double)u.y, z = (double)u.z, c = cos(a), s = sin(a), d = 1 - c;
     m[0] = (prt_real)(c + x * x * d); m[1] = (prt_real)(x * y * d - z * s); m[2] = (prt_real)(x * z * d + y * s);
     m[3] = (prt_real)(y * x * d + z * s); m[4] = (prt_real)(c + y * y * d); m[5] = (prt_real)(y * z * d - x * s);
@@ -668,7 +649,7 @@ static void transfer_lookup_agrees_with_its_table(void **state) {
     random_light(light);
     for (k = 0; k < SAMPLES; k++) inside[k] = (unsigned char)(uniform() < 0.2);
     for (k = 0; k < 200; k++) {
-        prt_vec3 to = scaled(random_unit(), 0.5 + 6 * uniform()), away;
+        prt_vec3 to = scaled(random_direction(), 0.5 + 6 * uniform()), away;
         prt_fiv a = nothing, b = nothing;
         turn_of(turn);
         for (i = 0; i < 9; i++) back[i] = turn[i % 3 * 3 + i / 3];
@@ -697,7 +678,7 @@ static void transfer_of_a_cap(void **state) {
     prt_fiv_transfer t = { BANDS, 1, 1, 1, &rho, 1, cap, NULL };
     double want[9] = { 0, 0, 0, 0, 0, 0, 0, 0, 0 }, got[9];
     const double half = pi / 6;
-    prt_vec3 n = random_unit(), u = vec3(-(double)n.y, (double)n.x, 0), v;
+    prt_vec3 n = random_direction(), u = vec3(-(double)n.y, (double)n.x, 0), v;
     prt_fiv f = nothing;
     int i, j, c, k;
     (void)state;
@@ -734,7 +715,7 @@ static void transfer_survives_bad_samples(void **state) {
     assert_int_equal(prt_fiv_transfer_light(BANDS, NULL, light, vectors), PRT_OK);
     for (k = 0; k < SAMPLES * HIDDEN; k += 71) hidden_samples[k] = k % 2 ? (prt_real)NAN : (prt_real)INFINITY;
     for (k = 0; k < 500; k++) {
-        assert_int_equal(prt_fiv_transfer_lookup(&t, NULL, vectors, scaled(random_unit(), 5 * uniform()), &f), PRT_OK);
+        assert_int_equal(prt_fiv_transfer_lookup(&t, NULL, vectors, scaled(random_direction(), 5 * uniform()), &f), PRT_OK);
         assert_true(prt__finite3(f.r) && prt__finite3(f.g) && prt__finite3(f.b));
     }
     vectors[0] = (prt_real)NAN;
@@ -832,7 +813,7 @@ static void packed_tables_keep_their_error(void **state) {
         again = packed.grid;
         again.samples = back;
         for (k = 0; k < 500; k++) {
-            prt_vec3 to = scaled(random_unit(), 6 * uniform());
+            prt_vec3 to = scaled(random_direction(), 6 * uniform());
             double got[9], want[9];
             prt_fiv a = { { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 } }, b = a;
             assert_int_equal(prt_fiv_packed_lookup(&packed, to, &a), PRT_OK);
@@ -897,7 +878,7 @@ static void total_between_texels(void **state) {
         total[k] = rgb(2 + d[0] / r, 2 + d[1] / r, 2 + d[2] / r);
     }
     for (k = 0; k < 5000; k++) {
-        prt_vec3 n = random_unit();
+        prt_vec3 n = random_direction();
         prt_rgb got = prt_fiv_total(SIZE, total, n);
         assert_near(got.r, 2 + (double)n.x, bound); assert_near(got.g, 2 + (double)n.y, bound);
         assert_near(got.b, 2 + (double)n.z, bound);
@@ -923,11 +904,11 @@ static void every_place_is_survived(void **state) {
     for (a = 0; a < 7; a++)
         for (b = 0; b < 7; b++)
             for (k = 0; k < 40; k++) {
-                prt_vec3 p = scaled(random_unit(), sizes[a]), n = random_unit();
+                prt_vec3 p = scaled(random_direction(), sizes[a]), n = random_direction();
                 prt_rgb out;
                 prt_fiv v = nothing;
                 t.inside = k % 2 ? inside : NULL;
-                for (f = 0; f < 6; f++) o[f].position = scaled(random_unit(), sizes[b]);
+                for (f = 0; f < 6; f++) o[f].position = scaled(random_direction(), sizes[b]);
                 o[0].table = o[1].table = o[2].table = &t; o[3].table = &none; o[4].table = o[5].table = &narrow;
                 o[1].position = p;                                         /* at the receiver */
                 o[2].position = o[0].position;                             /* coincident */
@@ -964,7 +945,7 @@ static void one_row_serves_every_direction(void **state) {
     memset(samples, 0, sizeof samples);
     samples[0].r.x = 2; samples[1].r.x = 4;
     for (k = 0; k < 50; k++) {
-        assert_int_equal(prt_fiv_lookup(&t, scaled(random_unit(), 1.5), &f), PRT_OK);
+        assert_int_equal(prt_fiv_lookup(&t, scaled(random_direction(), 1.5), &f), PRT_OK);
         assert_near(f.r.x, 3, 20 * EPS);
     }
     t.theta_count = 2; t.rho_count = 1;                                    /* theta = 0 and pi: linear between */
@@ -992,8 +973,8 @@ static void disordered_distances_and_bad_samples(void **state) {
     o[0].table = o[1].table = &t;
     for (k = 0; k < 2000; k++) {
         prt_real *value = (prt_real *)samples;
-        prt_vec3 n = random_unit();
-        for (c = 0; c < 32 * 9; c++) value[c] = uniform() < 0.03 ? bad[c % 4] : (prt_real)(2 * uniform() - 1);
+        prt_vec3 n = random_direction();
+        for (c = 0; c < 32 * 9; c++) value[c] = uniform() < 0.03 ? bad[c % 4] : (prt_real)signed_uniform();
         if (k % 5 == 0) rho[k % 4] = bad[k / 4 % 4];
         if (k % 7 == 0) rho[k % 4] = (prt_real)(4 * uniform() - 1);
         if (k % 11 == 0) n.x = bad[k % 4];
@@ -1001,7 +982,7 @@ static void disordered_distances_and_bad_samples(void **state) {
         t.radius = k % 17 ? 1 : bad[k % 4];
         assert_int_equal(prt_fiv_shade(total, vec3(0, 0, 0), n, 2, o, (unsigned)k % 4, &out), PRT_OK);
         assert_true(finite_rgb(out) && within(out, total));
-        assert_int_equal(prt_fiv_lookup(&t, scaled(random_unit(), 2), &f), PRT_OK);
+        assert_int_equal(prt_fiv_lookup(&t, scaled(random_direction(), 2), &f), PRT_OK);
         assert_true(prt__finite3(f.r) && prt__finite3(f.g) && prt__finite3(f.b));
     }
     for (c = 0; c < 32; c++) memset(&samples[c], 0xff, sizeof samples[c]);  /* NaN everywhere */
@@ -1022,7 +1003,7 @@ static void nan_samples_are_left_out(void **state) {
     for (k = 0; k < SAMPLES; k++) inside[k] = (unsigned char)(uniform() < 0.2);
     for (k = 0; k < SAMPLES; k++) if (inside[k]) some_samples[k].g.y = (prt_real)NAN;
     for (k = 0; k < 1000; k++) {
-        prt_vec3 to = scaled(random_unit(), 1 + 4 * uniform());
+        prt_vec3 to = scaled(random_direction(), 1 + 4 * uniform());
         t.inside = NULL;
         assert_int_equal(prt_fiv_lookup(&t, to, &f), PRT_OK);
         t.inside = inside;
@@ -1042,7 +1023,7 @@ static void all_inside_counts_all(void **state) {
     (void)state;
     memset(inside, 1, sizeof inside);
     for (k = 0; k < 100; k++) {
-        prt_vec3 to = scaled(random_unit(), 1 + 4 * uniform());
+        prt_vec3 to = scaled(random_direction(), 1 + 4 * uniform());
         t.inside = NULL;
         textbook_lookup(&t, to, want);
         t.inside = inside;

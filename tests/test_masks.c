@@ -4,6 +4,7 @@
 #define PRT_IMPLEMENTATION
 #include "prt.h"
 #include "test.h"
+#include "geometry.h"
 
 enum { LEAST = 2, MOST = 8, SIZE = MOST * MOST, CHAIN = 64, STEPS = 12000 };
 
@@ -14,14 +15,6 @@ static const variant plain = { "no window", PRT_WINDOW_NONE, 1 }, hann_both = { 
                      hann_filter = { "Hann on the filter", PRT_WINDOW_HANN, 0 },
                      lanczos_filter = { "Lanczos on the filter", PRT_WINDOW_LANCZOS, 0 },
                      positive_filter = { "positive on the filter", PRT_WINDOW_POSITIVE, 0 };
-
-static uint32_t seed = 1234567u;
-static double uniform(void) {
-    seed ^= seed << 13;
-    seed ^= seed >> 17;
-    seed ^= seed << 5;
-    return (double)seed / 4294967296.0;
-}
 
 static double length(int n, const prt_real *f) {
     double sum = 0;

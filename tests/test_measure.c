@@ -4,21 +4,9 @@
 #define PRT_BAKE_IMPLEMENTATION
 #include "prt_bake.h"
 #include "test.h"
+#include "geometry.h"
 
 #define EPS BY_PRECISION((double)FLT_EPSILON, DBL_EPSILON)
-static const double pi = 3.14159265358979323846;
-
-static uint64_t state_of_random = 88172645463325252u;
-static double uniform(void) {
-    state_of_random ^= state_of_random << 13; state_of_random ^= state_of_random >> 7;
-    state_of_random ^= state_of_random << 17;
-    return (double)(state_of_random >> 11) / 9007199254740992.0;
-}
-static void random_numbers(int count, prt_real *f) {
-    int i;
-    for (i = 0; i < count; i++) f[i] = (prt_real)(2 * uniform() - 1);
-}
-static prt_vec3 vec3(double x, double y, double z) { return prt__vec3((prt_real)x, (prt_real)y, (prt_real)z); }
 
 /* A unit delta has (2l+1)/4pi in band l; max(0, cos) has 2 pi/3 in all, of which pi/4, pi/3, 5 pi/64 in bands 0 to 2
    [Ramamoorthi 2001]; the mean of two functions. */
@@ -50,8 +38,8 @@ static void truncation(void **state) {
     double rms;
     int kept, w, k, c;
     (void)state;
-    random_numbers(POINTS * COUNT, transfer);
-    random_numbers(3 * COUNT, light);
+    random_vector(POINTS * COUNT, transfer);
+    random_vector(3 * COUNT, light);
     for (w = 0; w <= PRT_WINDOW_POSITIVE; w++)
         for (kept = 0; kept <= N; kept++) {
             double sum = 0;
@@ -82,8 +70,8 @@ static void truncation_of_a_turned_light(void **state) {
     double te[N], le[N], rms, sum = 0;
     int kept, k, c, i;
     (void)state;
-    random_numbers(COUNT, transfer);
-    random_numbers(N, zonal);
+    random_vector(COUNT, transfer);
+    random_vector(N, zonal);
     memset(light, 0, sizeof light);
     for (c = 0; c < 3; c++) for (i = 0; i < N; i++) light[c * COUNT + PRT_SH_INDEX(i, 0)] = zonal[i];
     prt_measure_energy(N, 1, transfer, te);
@@ -103,8 +91,8 @@ static void truncation_of_a_turned_light(void **state) {
         assert_near(rms, sqrt(sum), 1e-3 * sqrt(sum) + 100 * EPS);
     }
     /* any light, turned at random: a mean of squares of nearly normal numbers has a standard error of sqrt(2/n) */
-    random_numbers(3 * COUNT, light);
-    random_numbers(3 * TURNS, u);
+    random_vector(3 * COUNT, light);
+    random_vector(3 * TURNS, u);
     prt_measure_energy(N, 3, light, le);
     sum = 0;
     for (k = 0; k < TURNS; k++) {                      /* uniform rotations [Shoemake 1992] */
@@ -165,7 +153,7 @@ static void noise_and_rays(void **state) {
     double predicted, off, fewer, rate;
     int rays;
     (void)state;
-    random_numbers(3 * BC, light);
+    random_vector(3 * BC, light);
     bake_wall(1 << 14, 99, truth);
     bake_wall(64, 1, a);
     bake_wall(64, 2, b);

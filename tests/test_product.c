@@ -3,19 +3,9 @@
 #define PRT_IMPLEMENTATION
 #include "prt.h"
 #include "test.h"
+#include "geometry.h"
 
 enum { MOST = 24, COUNT = MOST * MOST };
-
-static uint32_t seed = 88675123u;
-static prt_real noise(void) {
-    seed ^= seed << 13;
-    seed ^= seed >> 17;
-    seed ^= seed << 5;
-    return (prt_real)((double)seed / 4294967296.0 * 2 - 1);
-}
-static void fill(int count, prt_real *f) {
-    while (count--) *f++ = noise();
-}
 
 static double length(int count, const prt_real *f) {
     double sum = 0;
@@ -127,8 +117,8 @@ static void products_are_the_triple_sums(void **state) {
         double most = 0;
         for (round = 0; round < (n < 8 ? 50 : 5); round++) {
             double off;
-            fill(n * n, f);
-            fill(n * n, g);
+            random_vector(n * n, f);
+            random_vector(n * n, g);
             reference(n, f, g, want);
             assert_int_equal(prt_sh_product(n, f, g, got), PRT_OK);
             off = worst(n * n, got, want) / (length(n * n, f) * length(n * n, g));
@@ -170,8 +160,8 @@ static void each_way_is_right(void **state) {
     for (w = 0; w < sizeof ways / sizeof ways[0]; w++)
         for (n = ways[w].first; n <= ways[w].last; n++) {
             const prt_real *other = ways[w].square ? f : g;
-            fill(n * n, f);
-            fill(n * n, g);
+            random_vector(n * n, f);
+            random_vector(n * n, g);
             reference(n, f, other, want);
             ways[w].way(n, f, other, got);
             assert_at_most(worst(n * n, got, want), BY_PRECISION(3e-7, 1e-15) * length(n * n, f) * length(n * n, other));
@@ -186,7 +176,7 @@ static void one_is_one(void **state) {
     one[0] = PRT__R(3.5449077018110320546);
     for (n = 1; n <= PRT_MAX_BANDS; n++) {
         double most = 0;
-        fill(n * n, f);
+        random_vector(n * n, f);
         prt_sh_product(n, f, one, got);
         for (i = 0; i < n * n; i++) if (!(fabs((double)(got[i] - f[i])) <= most)) most = fabs((double)(got[i] - f[i]));
         assert_at_most(most, BY_PRECISION(2e-7, 5e-16) * n * sqrt((double)n) * length(n * n, f) / n);
@@ -203,9 +193,9 @@ static void triple_integrals_are_symmetric(void **state) {
     for (t = 0; t < 4; t++) {
         int n = bands[t], i;
         double a = 0, b = 0;
-        fill(n * n, f);
-        fill(n * n, g);
-        fill(n * n, h);
+        random_vector(n * n, f);
+        random_vector(n * n, g);
+        random_vector(n * n, h);
         prt_sh_product(n, f, g, fg);
         prt_sh_product(n, f, h, fh);
         for (i = 0; i < n * n; i++) {
@@ -227,8 +217,8 @@ static void products_hold_pointwise(void **state) {
         int n = bands[t], low = (n + 1) / 2;
         memset(f, 0, sizeof f);
         memset(g, 0, sizeof g);
-        fill(low * low, f);
-        fill(low * low, g);
+        random_vector(low * low, f);
+        random_vector(low * low, g);
         prt_sh_product(n, f, g, fg);
         for (k = 0; k < 50; k++) {
             double z = 2 * (k + 0.5) / 50 - 1, phi = 2.4 * k, r = sqrt(1 - z * z);
@@ -247,7 +237,7 @@ static void squares_are_products(void **state) {
     int n, i;
     (void)state;
     for (n = 1; n <= MOST; n++) {
-        fill(n * n, f);
+        random_vector(n * n, f);
         assert_int_equal(prt_sh_square(n, f, got), PRT_OK);
         prt_sh_product(n, f, f, product);
         for (i = 0; i < n * n; i++)
@@ -261,8 +251,8 @@ static void out_may_alias(void **state) {
     (void)state;
     for (n = 1; n <= 18; n++) {
         size_t bytes = (size_t)(n * n) * sizeof(prt_real);
-        fill(n * n, f);
-        fill(n * n, g);
+        random_vector(n * n, f);
+        random_vector(n * n, g);
         prt_sh_product(n, f, g, want);
         memcpy(in_place, f, bytes);
         prt_sh_product(n, in_place, g, in_place);
@@ -294,8 +284,8 @@ static void batches_are_products(void **state) {
     int n, i, k;
     (void)state;
     for (n = 1; n <= 18; n++) {
-        fill(n * n * STRIDE, f);
-        fill(n * n * STRIDE, g);
+        random_vector(n * n * STRIDE, f);
+        random_vector(n * n * STRIDE, g);
         assert_int_equal(prt_sh_product_soa(n, PAIRS, f, g, out, STRIDE), PRT_OK);
         for (k = 0; k < PAIRS; k++) {
             for (i = 0; i < n * n; i++) {
@@ -317,8 +307,8 @@ static void batches_do_not_depend_on_the_count(void **state) {
     size_t c;
     (void)state;
     for (n = 1; n <= 17; n++) {
-        fill(n * n * STRIDE, f);
-        fill(n * n * STRIDE, g);
+        random_vector(n * n * STRIDE, f);
+        random_vector(n * n * STRIDE, g);
         prt_sh_product_soa(n, PAIRS, f, g, all, STRIDE);
         for (c = 0; c < sizeof counts / sizeof counts[0]; c++) {
             int first = (int)c % 5;
@@ -344,8 +334,8 @@ static void zonal_products_are_products(void **state) {
     int n, l, i;
     (void)state;
     for (n = 1; n <= MOST; n++) {
-        fill(n * n, f);
-        fill(n, zonal);
+        random_vector(n * n, f);
+        random_vector(n, zonal);
         memset(full, 0, sizeof full);
         for (l = 0; l < n; l++) full[PRT_SH_INDEX(l, 0)] = zonal[l];
         assert_int_equal(prt_sh_product_zonal(n, f, zonal, got), PRT_OK);
@@ -361,8 +351,8 @@ static void matrices_multiply(void **state) {
     (void)state;
     for (n = 1; n <= 8; n++) {
         int count = n * n;
-        fill(count, filter);
-        fill(5 * count, f);
+        random_vector(count, filter);
+        random_vector(5 * count, f);
         assert_int_equal(prt_sh_product_matrix(n, filter, matrix), PRT_OK);
         for (i = 0; i < count; i++)
             for (j = 0; j < i; j++)
@@ -389,8 +379,8 @@ static void masks_are_windowed_products(void **state) {
     for (n = 1; n <= 10; n++)
         for (w = PRT_WINDOW_NONE; w <= PRT_WINDOW_POSITIVE; w++) {
             int i;
-            fill(n * n, f);
-            fill(n * n, g);
+            random_vector(n * n, f);
+            random_vector(n * n, g);
             for (l = 0; l < n; l++)
                 for (m = -l; m <= l; m++) {
                     prt_real weight = prt_window_weight((prt_window)w, l, n);
@@ -414,8 +404,8 @@ static void a_filter_of_zero_hides_everything(void **state) {
     (void)state;
     for (n = 1; n <= 18; n++)
         for (w = PRT_WINDOW_NONE; w <= PRT_WINDOW_POSITIVE; w++) {
-            fill(n * n, f);
-            fill(n * n, out);
+            random_vector(n * n, f);
+            random_vector(n * n, out);
             assert_int_equal(prt_sh_mask(n, (prt_window)w, f, zero, out), PRT_OK);
             for (i = 0; i < n * n; i++) assert_true(out[i] == 0);
         }
@@ -439,8 +429,8 @@ static void nan_goes_in_and_comes_out(void **state) {
     for (n = 1; n <= 18; n++)
         for (w = PRT_WINDOW_NONE; w <= PRT_WINDOW_POSITIVE; w++) {
             int found = 0;
-            fill(n * n, f);
-            fill(n * n, g);
+            random_vector(n * n, f);
+            random_vector(n * n, g);
             g[n * n / 2] = (prt_real)NAN;
             assert_int_equal(prt_sh_mask(n, (prt_window)w, f, g, out), PRT_OK);
             for (i = 0; i < n * n; i++) found += out[i] != out[i];
@@ -456,7 +446,7 @@ static void nan_goes_in_and_comes_out(void **state) {
 static void bad_calls_write_nothing(void **state) {
     prt_real f[4] = { 1, 2, 3, 4 }, out[16], before[16];
     (void)state;
-    fill(16, out);
+    random_vector(16, out);
     memcpy(before, out, sizeof out);
     assert_int_equal(prt_sh_product(0, f, f, out), PRT_ERR_BANDS);
     assert_int_equal(prt_sh_product(PRT_MAX_BANDS + 1, f, f, out), PRT_ERR_BANDS);

@@ -3,18 +3,11 @@
 #define PRT_IMPLEMENTATION
 #include "prt.h"
 #include "test.h"
+#include "geometry.h"
 
 enum { BANDS = PRT_MAX_BANDS, LOW = BANDS / 2, N = PRT_SH_COUNT(BANDS) };
 
 static prt_real f[N], g[N], fg[N];
-
-static uint32_t seed = 521288629u;
-static prt_real noise(void) {
-    seed ^= seed << 13;
-    seed ^= seed >> 17;
-    seed ^= seed << 5;
-    return (prt_real)((double)seed / 4294967296.0 * 2 - 1);
-}
 
 static double length(const prt_real *v) {
     double sum = 0;
@@ -31,8 +24,8 @@ static void products_hold_pointwise(void **state) {
     memset(f, 0, sizeof f);
     memset(g, 0, sizeof g);
     for (i = 0; i < PRT_SH_COUNT(LOW); i++) {
-        f[i] = noise() / (prt_real)LOW;
-        g[i] = noise() / (prt_real)LOW;
+        f[i] = (prt_real)signed_uniform() / (prt_real)LOW;
+        g[i] = (prt_real)signed_uniform() / (prt_real)LOW;
     }
     assert_int_equal(prt_sh_product(BANDS, f, g, fg), PRT_OK);
     for (k = 0; k < 40; k++) {
@@ -50,7 +43,7 @@ static void full_bands_are_kept(void **state) {
     double most = 0, a = 0, b = 0;
     int i;
     (void)state;
-    for (i = 0; i < N; i++) f[i] = noise() / (prt_real)BANDS;
+    for (i = 0; i < N; i++) f[i] = (prt_real)signed_uniform() / (prt_real)BANDS;
     memset(g, 0, sizeof g);
     g[0] = PRT__R(3.5449077018110320546);
     prt_sh_product(BANDS, f, g, fg);
@@ -61,9 +54,9 @@ static void full_bands_are_kept(void **state) {
     print_message("times 1 at %d bands: largest error %.2g of the norm\n", BANDS, most / length(f));
     assert_at_most(most, BY_PRECISION(2e-7, 5e-16) * sqrt((double)BANDS) * length(f));     /* as in test_product.c */
     g[0] = 0;
-    for (i = 1; i < 400; i++) g[i] = noise();
+    for (i = 1; i < 400; i++) g[i] = (prt_real)signed_uniform();
     prt_sh_product(BANDS, f, g, fg);
-    for (i = 0; i < N; i++) gf[i] = noise();
+    for (i = 0; i < N; i++) gf[i] = (prt_real)signed_uniform();
     for (i = 0; i < N; i++) a += (double)fg[i] * (double)gf[i];
     prt_sh_product(BANDS, gf, g, fg);
     for (i = 0; i < N; i++) b += (double)fg[i] * (double)f[i];

@@ -3,6 +3,7 @@
 #define PRT_IMPLEMENTATION
 #include "prt.h"
 #include "test.h"
+#include "geometry.h"
 #include <limits.h>
 
 #define PI_L 3.14159265358979323846264338327950288L
@@ -251,9 +252,6 @@ static void convolution_multiplies_bands(void **state) {
 
 /* ---- environment maps ---- */
 
-static uint32_t lcg;
-static float noise(void) { lcg = lcg * 1664525u + 1013904223u; return (float)(lcg >> 8) / 16777216.0f; }
-
 /* OpenGL 4.5, table 8.19: the major axis and the signs of sc and tc. */
 static void cube_direction(int face, long double s, long double t, long double *d) {
     switch (face) {
@@ -323,7 +321,7 @@ static void equirect_is_the_sum_over_texels(void **state) {
     (void)state;
     for (k = 0; k < sizeof sizes / sizeof *sizes; k++) {
         int width = sizes[k][0], height = sizes[k][1], bands = sizes[k][2];
-        for (i = 0; i < 3 * width * height; i++) rgb[i] = 4 * noise() - 1;
+        for (i = 0; i < 3 * width * height; i++) rgb[i] = 4 * (float)uniform() - 1;
         brute_equirect(bands, width, height, rgb, sum);
         assert_int_equal(prt_sh_project_equirect_rgb(bands, width, height, rgb, light), PRT_OK);
         check_planes(bands, light, sum);
@@ -344,7 +342,7 @@ static void cubemap_is_the_sum_over_texels(void **state) {
         int size = sizes[k][0], bands = sizes[k][1];
         for (face = 0; face < 6; face++) {
             faces[face] = rgb[face];
-            for (i = 0; i < 3 * size * size; i++) rgb[face][i] = 4 * noise() - 1;
+            for (i = 0; i < 3 * size * size; i++) rgb[face][i] = 4 * (float)uniform() - 1;
         }
         brute_cubemap(bands, size, faces, sum);
         assert_int_equal(prt_sh_project_cubemap_rgb(bands, size, faces, light), PRT_OK);
@@ -412,7 +410,7 @@ static void centres_differ_from_means_as_the_header_says(void **state) {
     static prt_real centre[3 * BANDS * BANDS], mean[3 * BANDS * BANDS];
     int i, j, c, l;
     (void)state;
-    for (i = 0; i < 3 * W * H; i++) coarse[i] = noise() - 0.5f;
+    for (i = 0; i < 3 * W * H; i++) coarse[i] = (float)uniform() - 0.5f;
     for (j = 0; j < H * SPLIT; j++)
         for (i = 0; i < W * SPLIT; i++)
             for (c = 0; c < 3; c++)
@@ -464,8 +462,8 @@ static double round_trip(int cube, int size) {
     double worst = 0;
     int face, i, j, c;
     assert_non_null(rgb);
-    lcg = 7;
-    for (i = 0; i < 25; i++) f[i] = (prt_real)(noise() - 0.5f);
+    random_state = 7;                                      /* the same function at every size */
+    for (i = 0; i < 25; i++) f[i] = (prt_real)(uniform() - 0.5);
     for (face = 0; face < (cube ? 6 : 1); face++) {
         faces[face] = rgb + 3 * face * size * size;
         for (j = 0; j < size; j++)

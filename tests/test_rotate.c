@@ -2,37 +2,16 @@
 #define PRT_MAX_BANDS 128
 #include "prt.h"
 #include "test.h"
+#include "geometry.h"
 #include <mpfr.h>
 #include "../bench/published_rotation.h"
 
 /* Deterministic numbers in [-1, 1]. */
-static uint32_t random_state = 1;
-static double random_signed(void) {
-    random_state = random_state * 1664525u + 1013904223u;
-    return (double)(random_state >> 8) / 8388608.0 - 1;
-}
-
-static prt_vec3 random_direction(void) {
-    for (;;) {
-        double x = random_signed(), y = random_signed(), z = random_signed(), r = sqrt(x * x + y * y + z * z);
-        if (r > 0.1 && r < 1) {
-            prt_vec3 v;
-            v.x = (prt_real)(x / r); v.y = (prt_real)(y / r); v.z = (prt_real)(z / r);
-            return v;
-        }
-    }
-}
-
 static void random_rotation(prt_real r[9]) {
     prt_real q[4];
     int i;
-    for (i = 0; i < 4; i++) q[i] = (prt_real)random_signed();
+    for (i = 0; i < 4; i++) q[i] = (prt_real)signed_uniform();
     assert_int_equal(prt_rotation_from_quaternion(q, r), PRT_OK);
-}
-
-static void random_vector(int count, prt_real *f) {
-    int i;
-    for (i = 0; i < count; i++) f[i] = (prt_real)random_signed();
 }
 
 static prt_vec3 turned(const prt_real *r, prt_vec3 v) {
@@ -133,15 +112,21 @@ static void blocks_are_orthogonal(void **state) {
 /* The same recursion with the published columns: no better at 8 bands, useless at 128. */
 static void the_published_recursion_explodes(void **state) {
     prt_real rotation[9], *blocks = new_array(prt_sh_rotation_count(128));
-    int l;
+    double low = 0, middle = 0, high = 0;
+    int l, trial;
     (void)state;
-    random_rotation(rotation);
-    assert_int_equal(prt_sh_rotation(2, rotation, blocks), PRT_OK);
-    for (l = 2; l < 128; l++)
-        published_block(l, blocks + 1, blocks + prt_sh_rotation_count(l - 1), blocks + prt_sh_rotation_count(l));
-    assert_at_most(worst_orthogonality(0, 9, blocks), BY_PRECISION(3e-6, 6e-15));
-    assert_at_most(BY_PRECISION(1e-3, 1e-12), worst_orthogonality(63, 64, blocks));
-    assert_at_most(BY_PRECISION(1e6, 1e-6), worst_orthogonality(127, 128, blocks));
+    for (trial = 0; trial < 5; trial++) {
+        random_rotation(rotation);
+        assert_int_equal(prt_sh_rotation(2, rotation, blocks), PRT_OK);
+        for (l = 2; l < 128; l++)
+            published_block(l, blocks + 1, blocks + prt_sh_rotation_count(l - 1), blocks + prt_sh_rotation_count(l));
+        low = fmax(low, worst_orthogonality(0, 9, blocks));
+        middle = fmax(middle, worst_orthogonality(63, 64, blocks));
+        high = fmax(high, worst_orthogonality(127, 128, blocks));
+    }
+    assert_at_most(low, BY_PRECISION(3e-6, 6e-15));
+    assert_at_most(BY_PRECISION(1e-3, 1e-12), middle);
+    assert_at_most(BY_PRECISION(1e6, 1e-6), high);
     free(blocks);
 }
 
@@ -357,8 +342,8 @@ static void one_shot_holds_near_the_poles(void **state) {
                 double c = cos(tilts[k]), s = sin(tilts[k]);
                 if (pole) c = -c;
                 tilt[4] = (prt_real)c; tilt[5] = (prt_real)-s; tilt[7] = (prt_real)s; tilt[8] = (prt_real)c;
-                rotation_about_z(3 * random_signed(), a);
-                rotation_about_z(trial & 1 ? 0 : 3 * random_signed(), b);
+                rotation_about_z(3 * signed_uniform(), a);
+                rotation_about_z(trial & 1 ? 0 : 3 * signed_uniform(), b);
                 multiply(tilt, b, part);
                 multiply(a, part, r);
                 if (trial & 2) for (i = 0; i < 9; i++) r[i] = -r[i];

@@ -2,21 +2,12 @@
 #define PRT_IMPLEMENTATION
 #include "prt.h"
 #include "test.h"
+#include "geometry.h"
 #include "golden_csv.h"
 #include <mpfr.h>
 
 #define EPS BY_PRECISION((double)FLT_EPSILON, DBL_EPSILON)
 enum { MAX_N = PRT_SH_COUNT(PRT_MAX_BANDS) };
-
-static double uniform(uint64_t *state) {               /* xorshift: any source of scattered directions will do */
-    *state ^= *state << 13; *state ^= *state >> 7; *state ^= *state << 17;
-    return (double)(*state >> 11) / 9007199254740992.0;
-}
-
-static prt_vec3 random_direction(uint64_t *state) {
-    double z = 2 * uniform(state) - 1, phi = 6.283185307179586 * uniform(state), s = sqrt(1 - z * z);
-    return prt__vec3((prt_real)(s * cos(phi)), (prt_real)(s * sin(phi)), (prt_real)z);
-}
 
 /* Y(l,m) = p(l,m)(z) {Re,Im} (x+iy)^m of every band, 200 bits, by the recurrence in z of m outer, l inner. At the
    direction as it is, like the header's (what length it has after rounding is not the evaluator's error), or normalised. */
@@ -95,14 +86,13 @@ static void agrees_with_mpfr(void **state) {
     static const struct { int bands; double error_float, error_double; } promised[] = {
         { 6, 1.3e-6, 2e-15 }, { 10, 5e-6, 8e-15 }, { 13, 1.2e-7, 1e-14 }, { 32, 1.5e-7, 4e-14 }, { 64, 1.5e-7, 3e-13 }
     };
-    uint64_t seed = 88172645463325252u;
     size_t row;
     int k, i;
     (void)state;
     for (row = 0; row < sizeof promised / sizeof promised[0]; row++) {
         int bands = promised[row].bands;
         for (k = 0; k < 200; k++) {
-            prt_vec3 d = random_direction(&seed);
+            prt_vec3 d = random_direction();
             static double want[MAX_N];
             static prt_real y[MAX_N];
             if (k < 24) {                              /* ever closer to the poles, through 1e-8 to the pole itself */
@@ -118,12 +108,11 @@ static void agrees_with_mpfr(void **state) {
 }
 
 static void kernels_agree_with_the_recurrence(void **state) {
-    uint64_t seed = 1181783497276652981u;
     int bands, k, i;
     (void)state;
     for (bands = 1; bands <= PRT__SH_KERNELS; bands++)
         for (k = 0; k < 200; k++) {
-            prt_vec3 d = random_direction(&seed);
+            prt_vec3 d = random_direction();
             prt_real y[100], slow[100];
             prt__sh_eval(bands, d, y);
             prt__sh_recurrence(bands, d, NULL, slow, 1);
@@ -176,12 +165,11 @@ static void batches_are_bit_equal_whatever_the_count(void **state) {
     static prt_vec3 dirs[COUNT];
     static prt_real x[COUNT], y[COUNT], z[COUNT];
     static prt_real rows[COUNT * MAX_N], part[COUNT * MAX_N], soa[MAX_N * STRIDE], all[MAX_N * COUNT];
-    uint64_t seed = 4101842887655102017u;
     size_t b;
     int k, i, first, count;
     (void)state;
     for (k = 0; k < COUNT; k++) {
-        dirs[k] = random_direction(&seed);
+        dirs[k] = random_direction();
         x[k] = dirs[k].x; y[k] = dirs[k].y; z[k] = dirs[k].z;
     }
     for (b = 0; b < sizeof bands_of / sizeof bands_of[0]; b++) {
@@ -213,17 +201,16 @@ static void batches_are_bit_equal_whatever_the_count(void **state) {
 
 static void reconstruction_and_dot(void **state) {
     static prt_real f[MAX_N], g[MAX_N], y[MAX_N];
-    uint64_t seed = 2685821657736338717u;
     int bands, i, k;
     (void)state;
     for (bands = 1; bands <= PRT_MAX_BANDS; bands += bands < 14 ? 1 : 10) {
         int n = bands * bands;
         double size = 0, want = 0;
-        for (i = 0; i < n; i++) { f[i] = (prt_real)(uniform(&seed) - 0.5); g[i] = (prt_real)(uniform(&seed) - 0.5); }
+        for (i = 0; i < n; i++) { f[i] = (prt_real)(uniform() - 0.5); g[i] = (prt_real)(uniform() - 0.5); }
         for (i = 0; i < n; i++) { want += (double)f[i] * (double)g[i]; size += fabs((double)f[i] * (double)g[i]); }
         assert_near(prt_sh_dot(bands, f, g), want, size * EPS * (n / 8 + 4));
         for (k = 0; k < 20; k++) {
-            prt_vec3 d = random_direction(&seed);
+            prt_vec3 d = random_direction();
             prt_sh_eval(bands, d, y);
             want = size = 0;
             for (i = 0; i < n; i++) { want += (double)f[i] * (double)y[i]; size += fabs((double)f[i] * (double)y[i]); }
@@ -236,14 +223,13 @@ static void reference_is_the_definition(void **state) {
     FILE *f = golden_open("sh_ref.csv");
     golden_row r;
     static double want[81 * 81];
-    uint64_t seed = 9;
     int k, l, m;
     (void)state;
     while (golden_next(f, &r)) assert_near(prt_reference_sh(r.l, r.m, r.x, r.y, r.z), r.value,
                                            2e-14 + golden_input_rounding(r.l, DBL_EPSILON));
     fclose(f);
     for (k = 0; k < 20; k++) {
-        prt_vec3 d = random_direction(&seed);
+        prt_vec3 d = random_direction();
         mpfr_sh(PRT_REFERENCE_MAX_L + 1, d, 1, want);
         for (l = 0; l <= PRT_REFERENCE_MAX_L; l++)
             for (m = -l; m <= l; m++)

@@ -3,50 +3,33 @@
 #define PRT_IMPLEMENTATION
 #include "prt.h"
 #include "test.h"
+#include "geometry.h"
 #include <float.h>
-
-static const double pi = 3.14159265358979323846;
 
 /* ---- random scenes ---- */
 
-static uint32_t noise_state = 1;
-static double noise(void) {                                    /* [0,1) */
-    noise_state = noise_state * 1664525u + 1013904223u;
-    return (noise_state >> 8) / 16777216.0;
-}
-static prt_vec3 vec3(double x, double y, double z) {
-    prt_vec3 v;
-    v.x = (prt_real)x; v.y = (prt_real)y; v.z = (prt_real)z;
-    return v;
-}
 static prt_rgb rgb(double r, double g, double b) {
     prt_rgb c;
     c.r = (prt_real)r; c.g = (prt_real)g; c.b = (prt_real)b;
     return c;
 }
-static prt_vec3 noise_unit(void) {
-    double z = 2 * noise() - 1, r = sqrt(1 - z * z), angle = 2 * pi * noise();
-    return vec3(r * cos(angle), r * sin(angle), z);
-}
-static prt_vec3 noise_place(double size) { return vec3(size * (noise() - .5), size * (noise() - .5), size * (noise() - .5)); }
-static prt_rgb noise_color(void) { double r = noise(), g = noise(); return rgb(r, g, noise()); }
-static prt_vec3 scaled(prt_vec3 v, double s) { return vec3(s * (double)v.x, s * (double)v.y, s * (double)v.z); }
-
+static prt_vec3 noise_place(double size) { return vec3(size * (uniform() - .5), size * (uniform() - .5), size * (uniform() - .5)); }
+static prt_rgb noise_color(void) { double r = uniform(), g = uniform(); return rgb(r, g, uniform()); }
 static prt_vo_point noise_point(void) {
     prt_vo_point p;
-    p.position = noise_place(2); p.normal = noise_unit();
+    p.position = noise_place(2); p.normal = random_direction();
     p.diffuse = noise_color(); p.specular = noise_color(); p.emissive = noise_color();
-    p.shininess = (prt_real)(1 + 9 * noise());
+    p.shininess = (prt_real)(1 + 9 * uniform());
     return p;
 }
 static prt_vo_occluder noise_occluder(void) {
     prt_vo_occluder o;
-    o.position = noise_place(6); o.occlusion = noise_unit(); o.caustic = noise_unit();
+    o.position = noise_place(6); o.occlusion = random_direction(); o.caustic = random_direction();
     o.transmissive = noise_color();
-    o.diffuse_normal = scaled(noise_unit(), noise()); o.specular_normal = scaled(noise_unit(), noise());
+    o.diffuse_normal = scaled(random_direction(), uniform()); o.specular_normal = scaled(random_direction(), uniform());
     o.diffuse = noise_color(); o.specular = noise_color();
-    o.form_factor = (prt_real)noise(); o.caustic_factor = (prt_real)noise();
-    if (noise() < .5) o.transmissive = rgb(0, 0, 0);
+    o.form_factor = (prt_real)uniform(); o.caustic_factor = (prt_real)uniform();
+    if (uniform() < .5) o.transmissive = rgb(0, 0, 0);
     return o;
 }
 static prt_point_light noise_light(void) {
@@ -187,7 +170,7 @@ static void noise_scene(scene *s) {
     for (k = 0; k < LIGHTS; k++) s->lights[k] = noise_light();
     for (k = 0; k < POINTS; k++) {
         s->points[k] = noise_point();
-        s->first[k + 1] = s->first[k] + (int)(noise() * (OCCLUDERS + 1));
+        s->first[k + 1] = s->first[k] + (int)(uniform() * (OCCLUDERS + 1));
     }
     for (k = 0; k < s->first[POINTS]; k++) s->occluders[k] = noise_occluder();
 }
@@ -321,7 +304,7 @@ static void aligned_vectors_have_no_negative_sine(void **state) {
     int k, negative = 0, n = 5000;
     (void)state;
     for (k = 0; k < n; k++) {
-        prt_vec3 d = noise_unit(), l = vec3(3 * (double)d.x, 3 * (double)d.y, 3 * (double)d.z);
+        prt_vec3 d = random_direction(), l = vec3(3 * (double)d.x, 3 * (double)d.y, 3 * (double)d.z);
         prt_real c, length, ours[PRT__LANES];
         prt__vec a[3], b[3];
         int i;
@@ -528,8 +511,8 @@ static void finite_in_finite_out(void **state) {
         numbers[2] = &s.lights[0].position.x; counts[2] = LIGHTS * 6;
         for (i = 0; i < 3; i++)
             for (k = 0; k < counts[i]; k++) {
-                double what = noise();
-                if (noise() < .9) continue;
+                double what = uniform();
+                if (uniform() < .9) continue;
                 numbers[i][k] = (prt_real)(what < .25 ? 0 : what < .5 ? (double)PRT__REAL_MAX : what < .7 ? -(double)PRT__REAL_MAX
                                            : what < .8 ? (double)PRT__REAL_MIN : what < .9 ? 1e-20 : 1e18);
             }
@@ -634,7 +617,7 @@ static void packing_keeps_what_it_says(void **state) {
         prt_vo_packed packed;
         prt_vo_packed_diffuse packed_diffuse;
         o.form_factor += (prt_real)1e-3; o.caustic_factor += (prt_real)1e-3;   /* half floats below 6e-5 have fewer bits */
-        o.diffuse_normal = scaled(noise_unit(), 1e-3 + noise()); o.specular_normal = scaled(noise_unit(), 1e-3 + noise());
+        o.diffuse_normal = scaled(random_direction(), 1e-3 + uniform()); o.specular_normal = scaled(random_direction(), 1e-3 + uniform());
         if (k == 0) o.occlusion = vec3(0, 0, -1);
         if (k == 1) o.occlusion = vec3(-1, 0, 0);
         if (k == 2) o.occlusion = vec3(0, 1, 0);
@@ -798,9 +781,9 @@ static void indexing_keeps_what_it_says(void **state) {
         prt_vo_indexed full;
         prt_vo_indexed_diffuse diffuse;
         double factor;
-        o.form_factor = (prt_real)pow(10, -9 * noise());
-        o.caustic_factor = (prt_real)pow(10, -9 * noise());
-        o.occlusion = scaled(o.occlusion, pow(10, 4 * noise() - 2));
+        o.form_factor = (prt_real)pow(10, -9 * uniform());
+        o.caustic_factor = (prt_real)pow(10, -9 * uniform());
+        o.occlusion = scaled(o.occlusion, pow(10, 4 * uniform() - 2));
         count = 0;
         assert_int_equal(prt_vo_index(1, &o, 8, materials, &count, &full), PRT_OK);
         assert_int_equal(prt_vo_expand(count, materials, 1, &full, &back), PRT_OK);
@@ -1022,10 +1005,10 @@ static void waves_bend(void **state) {
     for (k = 0; k < 50; k++) {                                 /* lengths and angles stay; waves in turn; in place */
         int j;
         for (j = 0; j < 3; j++) {
-            prt_vec3 a = noise_unit(), b = noise_unit();
+            prt_vec3 a = random_direction(), b = random_direction();
             v3 n = unit(cross(d3(a), d3(b)));
             w[j].along = a; w[j].across = vec3(n.c[0], n.c[1], n.c[2]);
-            w[j].amplitude = (prt_real)noise(); w[j].frequency = (prt_real)(5 * noise()); w[j].phase = (prt_real)noise();
+            w[j].amplitude = (prt_real)uniform(); w[j].frequency = (prt_real)(5 * uniform()); w[j].phase = (prt_real)uniform();
         }
         o = noise_occluder();
         assert_int_equal(prt_vo_bend(3, w, (prt_real)k, vec3(1, 2, 3), 1, &o, &out), PRT_OK);
