@@ -455,18 +455,19 @@ PRTDEF prt_result prt_sh_rotate_by_n_rgb(int bands, const prt_real *blocks, int 
 PRTDEF prt_result prt_sh_rotate_by_soa(int bands, const prt_real *blocks, int count, const prt_real *f, prt_real *out,
                                        size_t stride);
 
-/* f turned by one rotation: out = M(R) f, without a matrix for any band above 2. To 3 bands (4 in SIMD) from the
-   entries of R alone: band 2 as R A R^T of a symmetric matrix A, band 3 as a symmetric tensor. Above as Z(a) S Z(-b) S
-   Z(g) with R = Rz(a) Ry(b) Rz(g), turns about z and the constant sparse swap S of y and z [Pinchon 2007]: cosines and
-   sines are quotients of entries of R, good at the poles too, and no angle is computed. Reflections go by M(-R) =
-   (-1)^l M(R). out may be f.
+/* f turned by one rotation: out = M(R) f, without a matrix for any band above 2. To 3 bands (5 in SIMD) from the
+   entries of R alone: band l as a symmetric tensor of rank l without trace. Above as Z(a) S Z(-b) S Z(g) with
+   R = Rz(a) Ry(b) Rz(g), turns about z and the constant sparse swap S of y and z [Pinchon 2007]: cosines and sines are
+   quotients of entries of R, good at the poles too, and no angle is computed. Reflections go by M(-R) = (-1)^l M(R).
+   out may be f.
    Accuracy, float/double, tilts of 1e-7 from the poles included, for |f_i| <= 1: 2e-6/4e-15 to 8 bands, 3e-7/8e-16 a
    band above. 1000 turns by 2 pi/1000 at 6 bands come back in float within 7e-5 about x, y and z, 1e-5 of which the
    rounding of R alone makes; about other axes within 1e-4 in the mean and 4e-4 at worst, since multiples of g are
    rounded each on its own (docs/rotation.md). a is worked out in double from g as it was rounded, and the constants
-   of the swap are rounded so that it stays its own inverse. Cost: 9 55 122 224 358 528 738 multiplications and about
-   0.6 times as many additions for 2 to 8 bands, most of them four at a time, one root, two divisions; 0.4, 0.66,
-   0.86 and 0.76 times the time of DirectXMath's XMSHRotate at 3 to 6 bands (AVX-512; 0.47, 0.68, 0.87 and 0.81 with
+   of the swap are rounded so that it stays its own inverse. At 5 bands, by tensors: within 1e-4 about x, y and
+   z, 6e-5 in the mean and 1.4e-4 at worst about others. Cost: 9 55 122 224 358 528 738 multiplications and about 0.6 times as many
+   additions for 2 to 8 bands, most of them four at a time, above 5 bands one root and two divisions; 0.41, 0.57, 0.64
+   and 0.77 times the time of DirectXMath's XMSHRotate at 3 to 6 bands (AVX-512; 0.51, 0.6, 0.7 and 0.85 with
    SSE2). Above 8 bands the swap is computed on the way, in double, about 16 l^2 operations a band without a root or
    division: 0.22, 1.5 and 41 us at 9, 16 and 64 bands (AVX-512; 0.35, 3.3 and 167 us with SSE2), a seventh of what
    building the blocks takes. */
@@ -3705,42 +3706,33 @@ PRT__INLINE void prt__turn_classes(prt__classes *v, const prt__classes *t) {
 }
 
 /* From the phasors of the angle, twice and four times the angle: { 0 2 4 6 } is { 0 2 0 2 } + { 0 0 4 4 }. */
-PRT__INLINE prt__turn prt__multiples(int bands, prt_real c1, prt_real s1, prt_real c2, prt_real s2, prt_real c4,
-                                     prt_real s4) {
-    prt__quad c = { 1, c2, 1, c2 }, s = { 0, s2, 0, s2 };
+PRT__INLINE prt__turn prt__multiples(prt_real c1, prt_real s1, prt_real c2, prt_real s2, prt_real c4, prt_real s4) {
+    prt__quad c = { 1, c2, 1, c2 }, s = { 0, s2, 0, s2 }, up_c = { 1, 1, c4, c4 }, up_s = { 0, 0, s4, s4 };
     prt__turn t;
     t.low.even_cos = c;
     t.low.even_sin = s;
     t.low.odd_cos = c * c1 - s * s1;
     t.low.odd_sin = s * c1 + c * s1;
-    t.high = t.low;
-    if (bands == 5) {                                           /* nothing above 4: no product */
-        prt__quad even_cos = { 1, c2, c4, c4 }, even_sin = { 0, s2, s4, s4 };
-        t.high.even_cos = even_cos;
-        t.high.even_sin = even_sin;
-    } else {
-        prt__quad up_c = { 1, 1, c4, c4 }, up_s = { 0, 0, s4, s4 };
-        t.high.even_cos = c * up_c - s * up_s;
-        t.high.even_sin = s * up_c + c * up_s;
-        t.high.odd_cos = t.high.even_cos * c1 - t.high.even_sin * s1;
-        t.high.odd_sin = t.high.even_sin * c1 + t.high.even_cos * s1;
-    }
+    t.high.even_cos = c * up_c - s * up_s;
+    t.high.even_sin = s * up_c + c * up_s;
+    t.high.odd_cos = t.high.even_cos * c1 - t.high.even_sin * s1;
+    t.high.odd_sin = t.high.even_sin * c1 + t.high.even_cos * s1;
     return t;
 }
 
 /* A small turn many times over has small b, or small a + g: 1 - 2 sin^2 is rounded once then, and a is still in double. */
-PRT__INLINE prt__turn prt__multiples_of_b(int bands, prt_real c1, prt_real s1) {
+PRT__INLINE prt__turn prt__multiples_of_b(prt_real c1, prt_real s1) {
     prt_real c2 = 1 - 2 * s1 * s1, s2 = 2 * s1 * c1;
-    return prt__multiples(bands, c1, s1, c2, s2, 1 - 2 * s2 * s2, 2 * s2 * c2);
+    return prt__multiples(c1, s1, c2, s2, 1 - 2 * s2 * s2, 2 * s2 * c2);
 }
-PRT__INLINE prt__turn prt__multiples_of_a(int bands, double c1, double s1) {
+PRT__INLINE prt__turn prt__multiples_of_a(double c1, double s1) {
     double c2 = c1 * c1 - s1 * s1, s2 = 2 * s1 * c1, c4 = c2 * c2 - s2 * s2, s4 = 2 * s2 * c2;
-    return prt__multiples(bands, (prt_real)c1, (prt_real)s1, (prt_real)c2, (prt_real)s2, (prt_real)c4, (prt_real)s4);
+    return prt__multiples((prt_real)c1, (prt_real)s1, (prt_real)c2, (prt_real)s2, (prt_real)c4, (prt_real)s4);
 }
 
 /* Bands 2 and 3: f[4 ... 15] = s2 s1 c0 c1 | c2, s3 s2 s1 | c0 c1 c2 c3. */
-PRT__INLINE void prt__rotate_bands_2_3(const prt__turn *a, const prt__turn *b, const prt__turn *g, const prt_real *f,
-                                       prt_real *out) {
+PRT__INLINE void prt__zyz_bands_2_3(const prt__turn *a, const prt__turn *b, const prt__turn *g, const prt_real *f,
+                                    prt_real *out) {
     prt__quad p = prt__quad_load(f + 4), q = prt__quad_load(f + 8), r = prt__quad_load(f + 12), t, u;
     prt__classes v;
     t = PRT__QUAD_SHUFFLE(p, q, 2, 2, 4, 4);
@@ -3801,9 +3793,9 @@ PRT__INLINE void prt__store_classes(int l, const prt__classes *v, prt_real *out)
     if (l > 6) { out[7] = v->odd_cos[3]; out[-7] = v->odd_sin[3]; }
 }
 
-#define PRT__ROTATE_BAND(l) \
-    PRT__INLINE void prt__rotate_band_##l(const prt__turn *a, const prt__turn *b, const prt__turn *g, const prt_real *f, \
-                                          prt_real *out) { \
+#define PRT__ZYZ_BAND(l) \
+    PRT__INLINE void prt__zyz_band_##l(const prt__turn *a, const prt__turn *b, const prt__turn *g, const prt_real *f, \
+                                       prt_real *out) { \
         prt__classes v = prt__load_classes(l, f + PRT_SH_INDEX(l, 0)); \
         prt__turn_classes(&v, &g->high); \
         prt__swap_yz_##l(&v); \
@@ -3812,8 +3804,8 @@ PRT__INLINE void prt__store_classes(int l, const prt__classes *v, prt_real *out)
         prt__turn_classes(&v, &a->high); \
         prt__store_classes(l, &v, out + PRT_SH_INDEX(l, 0)); \
     }
-PRT__ROTATE_BAND(4) PRT__ROTATE_BAND(5) PRT__ROTATE_BAND(6) PRT__ROTATE_BAND(7)
-#undef PRT__ROTATE_BAND
+PRT__ZYZ_BAND(4) PRT__ZYZ_BAND(5) PRT__ZYZ_BAND(6) PRT__ZYZ_BAND(7)
+#undef PRT__ZYZ_BAND
 
 /* The columns of R, rows 0 1 2 2 in the lanes. */
 typedef struct prt__axes { prt__quad x, y, z; } prt__axes;
@@ -3827,12 +3819,30 @@ PRT__INLINE prt__axes prt__load_axes(const prt_real *r) {
     return c;
 }
 
+/* The same with the sum of rows 0 and 1 in the last lane. */
+PRT__INLINE prt__axes prt__load_axes_and_sum(const prt_real *r) {
+    prt__quad p = prt__quad_load(r), q = prt__quad_load(r + 3), last = prt__quad_load(r + 5), sum = p + q, t, u;
+    prt__axes c;
+    last = PRT__QUAD_SHUFFLE(last, last, 1, 2, 3, 3);
+    t = PRT__QUAD_SHUFFLE(p, q, 0, 4, 1, 5);
+    u = PRT__QUAD_SHUFFLE(last, sum, 0, 4, 1, 5);
+    c.x = PRT__QUAD_SHUFFLE(t, u, 0, 1, 4, 5);
+    c.y = PRT__QUAD_SHUFFLE(t, u, 2, 3, 6, 7);
+    t = PRT__QUAD_SHUFFLE(p, q, 2, 6, 3, 7);
+    u = PRT__QUAD_SHUFFLE(last, sum, 2, 6, 3, 7);
+    c.z = PRT__QUAD_SHUFFLE(t, u, 0, 1, 4, 5);
+    return c;
+}
+
+/* The row after each in its place, and the one after that; the last lane stays. */
+#define PRT__NEXT_ROW(v) PRT__QUAD_SHUFFLE(v, v, 1, 2, 0, 3)
+#define PRT__AFTER_NEXT(v) PRT__QUAD_SHUFFLE(v, v, 2, 0, 1, 3)
+
 /* prt__rotation_ok for all entries at once. */
 PRT__INLINE int prt__axes_ok(const prt__axes *c) {
-    const prt__quad one = { 1, 1, 1, 1 }, limit = one * PRT__R(1e-6);
-    prt__quad x = PRT__QUAD_SHUFFLE(c->x, c->x, 1, 2, 0, 0), y = PRT__QUAD_SHUFFLE(c->y, c->y, 1, 2, 0, 0);
-    prt__quad z = PRT__QUAD_SHUFFLE(c->z, c->z, 1, 2, 0, 0);
-    prt__quad lengths = c->x * c->x + c->y * c->y + c->z * c->z - one, angles = c->x * x + c->y * y + c->z * z;
+    const prt__quad one = { 1, 1, 1, 1 }, last = { 0, 0, 0, 1 }, limit = one * PRT__R(1e-6);
+    prt__quad lengths = c->x * c->x + c->y * c->y + c->z * c->z - one;
+    prt__quad angles = c->x * PRT__NEXT_ROW(c->x) + c->y * PRT__NEXT_ROW(c->y) + c->z * PRT__NEXT_ROW(c->z) - last;
     prt__quad_mask mask = (lengths * lengths <= limit) & (angles * angles <= limit);
     int64_t lanes[sizeof mask / 8];
     int i, all = 1;
@@ -3841,35 +3851,62 @@ PRT__INLINE int prt__axes_ok(const prt__axes *c) {
     return all;
 }
 
-/* Band 1: R (x y z) in the order y, z, x. */
+/* Bands 0 and 1: R (x y z) in the order y, z, x. */
 PRT__INLINE void prt__rotate_band_1(const prt__axes *c, const prt_real *f, prt_real *out) {
-    prt__quad v = c->x * f[3] + c->y * f[1] + c->z * f[2];
-    out[1] = v[1];
-    out[2] = v[2];
-    out[3] = v[0];
+    prt__quad all = prt__quad_load(f), v = c->x * all[3] + c->y * all[1] + c->z * all[2];
+    v = PRT__QUAD_SHUFFLE(v, v, 0, 1, 2, 0);
+    prt__quad_store(out, PRT__QUAD_SHUFFLE(all, v, 0, 5, 6, 7));
 }
 
-/* Band 2 as prt__sh_rotate_3 does it: the rows of A R^T, then of R A R^T without the first, which the trace gives. */
-PRT__INLINE void prt__rotate_band_2(const prt__axes *c, const prt_real *r, const prt_real *f, prt_real *out) {
+/* Bands 2 to 4 as symmetric tensors without trace: f.Y(v) = T(v, v, ...) up to a factor. Of the components of such a
+   tensor of rank l only 2l+1 are independent; of the turned one T' those are worked out that follow from each other by
+   the turn x to y to z to x: xx and xy, xxx, xyy and xyz, xxxx, xyyy and xzzz. Rows i of R are in the lanes: first one
+   index of T is taken to them, which leaves a tensor of rank l-1 in each lane, then all others at once by the monomials
+   of a row, the same or the next or the one after. Components with zz follow from the others, since there is no trace.
+   A thousand small turns multiply a thousand times by each constant on the way in and by its inverse on the way out:
+   as rounded to float their product is 1 within 2e-8, in band 2 within 4e-8. */
+#ifdef PRT_DOUBLE
+#  define PRT__SIXTH_ROOT 0.40824829046386301637                /* 1/sqrt 6 */
+#  define PRT__SIXTH_ROOT_INVERSE 0.61237243569579452455        /* sqrt 6 / 4 */
+#else
+#  define PRT__SIXTH_ROOT 0.408248276f                          /* one below the nearest */
+#  define PRT__SIXTH_ROOT_INVERSE 0.612372458f
+#endif
+
+PRT__INLINE void prt__rotate_band_2(const prt__axes *c, const prt_real *f, prt_real *out) {
+    const prt__quad scale = { 1, 1, PRT__R(0.866025403784438646764), 1 };
     prt_real third = f[6] * PRT__R(0.577350269189625764509), xx = f[8] - third, yy = -f[8] - third, zz = 2 * third;
     prt_real xy = f[4], yz = f[5], zx = f[7];
     prt__quad x = c->x * xx + c->y * xy + c->z * zx, y = c->x * xy + c->y * yy + c->z * yz;
     prt__quad z = c->x * zx + c->y * yz + c->z * zz;
-    prt__quad p = x * r[3] + y * r[4] + z * r[5], q = x * r[6] + y * r[7] + z * r[8];
-    out[4] = p[0];
-    out[5] = q[1];
-    out[6] = q[2] * PRT__R(0.866025403784438646764);
-    out[7] = q[0];
-    out[8] = -p[1] - PRT__R(0.5) * q[2];
+    prt__quad same = x * c->x + y * c->y + z * c->z;
+    prt__quad next = x * PRT__NEXT_ROW(c->x) + y * PRT__NEXT_ROW(c->y) + z * PRT__NEXT_ROW(c->z);
+    prt__quad last = PRT__QUAD_SHUFFLE(same, next, 2, 6, 3, 7);
+    prt__quad_store(out + 4, PRT__QUAD_SHUFFLE(next, last, 0, 1, 4, 5) * scale);
+    out[8] = PRT__R(0.5) * (same[0] - same[1]);
 }
 
-/* Band 3 as a symmetric tensor T_ijk without trace: f.Y = T(x,x,x) up to a factor. `part` holds T(R^T i, j, k) for the
-   rows i in the lanes and jk = xx, yy, xy, yz, zx; zz follows from the trace. */
+/* What the parts xx, yy, xy, yz, zx meet: xx - zz, yy - zz, 2xy, 2yz, 2zx of a row. */
+PRT__INLINE void prt__squares(const prt__axes *c, prt__quad w[5]) {
+    prt__quad zz = c->z * c->z, x2 = c->x + c->x;
+    w[0] = c->x * c->x - zz;
+    w[1] = c->y * c->y - zz;
+    w[2] = x2 * c->y;
+    w[3] = (c->y + c->y) * c->z;
+    w[4] = x2 * c->z;
+}
+
 PRT__INLINE void prt__band_3_parts(const prt__axes *c, const prt_real *f, prt__quad part[5]) {
-    const prt_real u = PRT__R(1.6329931618554520655), v = PRT__R(1.5811388300841896660), w = PRT__R(1.2909944487358056284);
-    prt_real xzz = u * f[4], yzz = u * f[2], xyz = w * f[1], w5 = w * f[5], v6 = v * f[6], v0 = v * f[0];
-    prt_real xxz = w5 - f[3], yyz = -w5 - f[3], thirdx = PRT__R(0.25) * xzz, thirdy = PRT__R(0.25) * yzz;
-    prt_real xyy = -thirdx - v6, xxy = v0 - thirdy, xxx = v6 - 3 * thirdx, yyy = -v0 - 3 * thirdy;
+    const prt__quad low = { PRT__R(1.5811388300841896660), PRT__R(1.2909944487358056284),
+                            PRT__SIXTH_ROOT, 1 };
+    const prt__quad high = { 1, PRT__SIXTH_ROOT, PRT__R(1.2909944487358056284),
+                             PRT__R(1.5811388300841896660) };
+    const prt__quad sign = { 1, -1, 1, -1 }, times = { 3, 1, 1, 3 }, four = { 4, 4, 4, 4 };
+    prt__quad s = prt__quad_load(f) * low, p = prt__quad_load(f + 3) * high;        /* s3 s2 s1 c0 | c0 c1 c2 c3 */
+    prt__quad first = PRT__QUAD_SHUFFLE(p, s, 1, 1, 6, 6), zz = first * four;
+    prt__quad t = PRT__QUAD_SHUFFLE(p, s, 3, 3, 4, 4) * sign - first * times;
+    prt_real xxx = t[0], xyy = t[1], xxy = t[2], yyy = t[3], xzz = zz[0], yzz = zz[2], xyz = s[1];
+    prt_real xxz = p[2] - p[0], yyz = -p[2] - p[0];
     part[0] = c->x * xxx + c->y * xxy + c->z * xxz;
     part[1] = c->x * xyy + c->y * yyy + c->z * yyz;
     part[2] = c->x * xxy + c->y * xyy + c->z * xyz;
@@ -3877,41 +3914,116 @@ PRT__INLINE void prt__band_3_parts(const prt__axes *c, const prt_real *f, prt__q
     part[4] = c->x * xxz + c->y * xyz + c->z * xzz;
 }
 
-/* T(R^T i, p, q) for the rows i in the lanes, from the parts; p and q are rows of R. */
-PRT__INLINE prt__quad prt__band_3_contract(const prt__quad *part, prt__quad p, prt__quad q) {
-    prt__quad same = p * q, other = p * PRT__QUAD_SHUFFLE(q, q, 1, 2, 0, 0) + q * PRT__QUAD_SHUFFLE(p, p, 1, 2, 0, 0);
-    return (same[0] - same[2]) * part[0] + (same[1] - same[2]) * part[1] + other[0] * part[2] + other[1] * part[3]
-         + other[2] * part[4];
+PRT__INLINE prt__quad prt__contract_5(const prt__quad *part, const prt__quad *w) {
+    return (part[0] * w[0] + part[1] * w[1]) + (part[2] * w[2] + part[3] * w[3]) + part[4] * w[4];
 }
 
-PRT__INLINE void prt__rotate_band_3(const prt__axes *c, const prt_real *r, const prt_real *f, prt_real *out) {
-    prt__quad x = prt__quad_load(r), y = prt__quad_load(r + 3), z = prt__quad_load(r + 5), part[5], zz, xy, xx;
-    z = PRT__QUAD_SHUFFLE(z, z, 1, 2, 3, 3);
-    prt__band_3_parts(c, f + 9, part);
-    zz = prt__band_3_contract(part, z, z);
-    xy = prt__band_3_contract(part, x, y);
-    xx = prt__band_3_contract(part, x, x);
-    out[9] = (xy[0] + PRT__R(0.25) * zz[1]) * PRT__R(0.63245553203367586640);
-    out[10] = xy[2] * PRT__R(0.77459666924148337704);
-    out[11] = zz[1] * PRT__R(0.61237243569579452455);
-    out[12] = zz[2] * PRT__R(0.5);
-    out[13] = zz[0] * PRT__R(0.61237243569579452455);
-    out[14] = (xx[2] + PRT__R(0.5) * zz[2]) * PRT__R(0.77459666924148337704);
-    out[15] = -(xy[1] + PRT__R(0.25) * zz[0]) * PRT__R(0.63245553203367586640);
+/* f and out at the band, w the squares. Where w holds those of u, the sum of the rows x and y, in the last lane, and c
+   has row z there, zuu = 2 xyz - zzz. */
+PRT__INLINE void prt__rotate_band_3(const prt__axes *c, const prt__quad *w, const prt_real *f, prt_real *out) {
+    const prt__quad low = { PRT__R(-0.63245553203367586640), PRT__R(0.38729833462074168852),
+                            PRT__SIXTH_ROOT_INVERSE, PRT__R(0.5) };
+    const prt__quad high = { PRT__R(0.5), -PRT__SIXTH_ROOT_INVERSE, PRT__R(0.77459666924148337704),
+                             PRT__R(0.15811388300841896660) };
+    const prt__quad low_second = { PRT__R(0.75), 1, 0, 0 }, high_first = { 1, 1, 1, -3 };
+    const prt__quad high_second = { 0, 1, PRT__R(0.5), 1 };
+    prt__quad part[5], v[5], same, next, t, u;
+    int k;
+    prt__band_3_parts(c, f, part);
+    PRT__UNROLL
+    for (k = 0; k < 5; k++) v[k] = PRT__NEXT_ROW(w[k]);
+    same = prt__contract_5(part, w);                                    /* xxx yyy zzz zuu */
+    next = prt__contract_5(part, v);                                    /* xyy yzz zxx */
+    t = PRT__QUAD_SHUFFLE(next, same, 1, 1, 6, 6);
+    u = PRT__QUAD_SHUFFLE(same, t, 1, 3, 4, 6);
+    prt__quad_store(out, (u + PRT__QUAD_SHUFFLE(t, t, 0, 2, 1, 3) * low_second) * low);
+    t = PRT__QUAD_SHUFFLE(same, next, 2, 0, 6, 4);
+    u = PRT__QUAD_SHUFFLE(next, same, 0, 0, 6, 4);
+    prt__quad_store(out + 3, (t * high_first + u * high_second) * high);
 }
 
-PRT__INLINE void prt__rotate_upper_bands(int bands, const prt_real *r, const prt_real *f, prt_real *out) {
+/* What the parts xxx, yyy, xxy, xyy, xxz, yyz, xyz meet. */
+PRT__INLINE void prt__cubes(const prt__axes *c, const prt__quad *w, prt__quad v[7]) {
+    prt__quad zz = c->z * c->z, zz2 = zz + zz, xx3 = 3 * w[0], yy3 = 3 * w[1];
+    v[0] = c->x * (w[0] - zz2);
+    v[1] = c->y * (w[1] - zz2);
+    v[2] = c->y * xx3;
+    v[3] = c->x * yy3;
+    v[4] = c->z * (xx3 + zz2);
+    v[5] = c->z * (yy3 + zz2);
+    v[6] = (3 * c->z) * w[2];
+}
+
+/* f at m = 0 */
+PRT__INLINE void prt__band_4_parts(const prt__axes *c, const prt_real *f, prt__quad part[7]) {
+    const prt__quad low = { PRT__R(5.9160797830996160426), PRT__R(4.1833001326703777399), PRT__R(2.2360679774997896964),
+                            PRT__R(1.5811388300841896660) };
+    const prt__quad high = { PRT__R(1.5811388300841896660), PRT__R(4.4721359549995793928),
+                             PRT__R(4.1833001326703777399), PRT__R(5.9160797830996160426) };
+    const prt__quad sign = { 1, 1, -1, -1 }, times = { 1, 1, 1, 3 };
+    prt__quad s = prt__quad_load(f - 4) * low, p = prt__quad_load(f + 1) * high;    /* s4 s3 s2 s1, c1 c2 c3 c4 */
+    prt__quad t = PRT__QUAD_SHUFFLE(s, s, 0, 1, 0, 1) * sign - PRT__QUAD_SHUFFLE(s, s, 2, 3, 2, 3) * times;
+    prt_real xxxy = t[0], xxyz = t[1], xyyy = t[2], yyyz = t[3], xyzz = 2 * s[2], xxxz = p[2] - 3 * p[0];
+    prt_real xyyz = -p[2] - p[0], three = 3 * f[0] + p[3], four = 4 * f[0], xxyy = f[0] - p[3];
+    prt_real xxxx = three - p[1], yyyy = three + p[1], xxzz = p[1] - four, yyzz = -p[1] - four;
+    part[0] = c->x * xxxx + c->y * xxxy + c->z * xxxz;
+    part[1] = c->x * xyyy + c->y * yyyy + c->z * yyyz;
+    part[2] = c->x * xxxy + c->y * xxyy + c->z * xxyz;
+    part[3] = c->x * xxyy + c->y * xyyy + c->z * xyyz;
+    part[4] = c->x * xxxz + c->y * xxyz + c->z * xxzz;
+    part[5] = c->x * xyyz + c->y * yyyz + c->z * yyzz;
+    part[6] = c->x * xxyz + c->y * xyyz + c->z * xyzz;
+}
+
+PRT__INLINE prt__quad prt__contract_7(const prt__quad *part, const prt__quad *w) {
+    return (part[0] * w[0] + part[1] * w[1]) + (part[2] * w[2] + part[3] * w[3])
+         + (part[4] * w[4] + part[5] * w[5] + part[6] * w[6]);
+}
+
+/* From xxxx yyyy zzzz, xyyy yzzz zxxx, xzzz yxxx zyyy; out at m = 0. */
+PRT__INLINE void prt__band_4_store(prt__quad same, prt__quad next, prt__quad after, prt_real *out) {
+    const prt__quad low = { PRT__R(0.084515425472851657750), PRT__R(-0.23904572186687872790),
+                            PRT__R(-0.22360679774997896964), PRT__R(0.15811388300841896660) };
+    const prt__quad high = { PRT__R(0.15811388300841896660), PRT__R(0.11180339887498948482),
+                             PRT__R(0.23904572186687872790), PRT__R(0.084515425472851657750) };
+    const prt__quad low_second = { -1, PRT__R(0.75), 1, 0 }, high_first = { 0, 1, 1, 1 };
+    const prt__quad high_second = { 1, -1, PRT__R(0.75), 1 }, high_third = { 0, 0, 0, PRT__R(-0.75) };
+    prt__quad t = PRT__QUAD_SHUFFLE(after, next, 0, 4, 1, 5), u = PRT__QUAD_SHUFFLE(after, same, 0, 4, 1, 5);
+    prt__quad first = PRT__QUAD_SHUFFLE(after, t, 1, 2, 6, 7), second = PRT__QUAD_SHUFFLE(next, next, 0, 1, 0, 1);
+    prt__quad_store(out - 4, (first + second * low_second) * low);
+    out[0] = same[2] * PRT__R(0.125);
+    t = PRT__QUAD_SHUFFLE(same, next, 1, 1, 6, 6);
+    first = PRT__QUAD_SHUFFLE(t, t, 0, 1, 2, 0);
+    second = PRT__QUAD_SHUFFLE(u, u, 0, 1, 0, 1);
+    prt__quad_store(out + 1, (first * high_first + second * high_second
+                              + PRT__QUAD_SHUFFLE(same, same, 2, 2, 2, 2) * high_third) * high);
+}
+
+PRT__INLINE void prt__rotate_band_4(const prt__axes *c, const prt__quad *w, const prt_real *f, prt_real *out) {
+    prt__quad part[7], v[7], next[7], after[7];
+    int k;
+    prt__band_4_parts(c, f, part);
+    prt__cubes(c, w, v);
+    PRT__UNROLL
+    for (k = 0; k < 7; k++) {
+        next[k] = PRT__NEXT_ROW(v[k]);
+        after[k] = PRT__AFTER_NEXT(v[k]);
+    }
+    prt__band_4_store(prt__contract_7(part, v), prt__contract_7(part, next), prt__contract_7(part, after), out);
+}
+
+PRT__INLINE void prt__zyz_bands(int bands, const prt_real *r, const prt_real *f, prt_real *out) {
     prt__angles e;
     prt__turn a, b, g;
     prt__euler(r, &e);
-    g = prt__multiples(bands, e.cg, e.sg, e.c2g, e.s2g, e.c2g * e.c2g - e.s2g * e.s2g, 2 * e.s2g * e.c2g);
-    b = prt__multiples_of_b(bands, e.cb, -e.sb);
-    a = prt__multiples_of_a(bands, e.ca, e.sa);
-    prt__rotate_bands_2_3(&a, &b, &g, f, out);
-    prt__rotate_band_4(&a, &b, &g, f, out);
-    if (bands > 5) prt__rotate_band_5(&a, &b, &g, f, out);
-    if (bands > 6) prt__rotate_band_6(&a, &b, &g, f, out);
-    if (bands > 7) prt__rotate_band_7(&a, &b, &g, f, out);
+    g = prt__multiples(e.cg, e.sg, e.c2g, e.s2g, e.c2g * e.c2g - e.s2g * e.s2g, 2 * e.s2g * e.c2g);
+    b = prt__multiples_of_b(e.cb, -e.sb);
+    a = prt__multiples_of_a(e.ca, e.sa);
+    prt__zyz_bands_2_3(&a, &b, &g, f, out);
+    prt__zyz_band_4(&a, &b, &g, f, out);
+    prt__zyz_band_5(&a, &b, &g, f, out);
+    if (bands > 6) prt__zyz_band_6(&a, &b, &g, f, out);
+    if (bands > 7) prt__zyz_band_7(&a, &b, &g, f, out);
 }
 
 PRT__INLINE prt_result prt__rotate_quads(int bands, const prt_real *r, const prt_real *f, prt_real *out) {
@@ -3919,13 +4031,19 @@ PRT__INLINE prt_result prt__rotate_quads(int bands, const prt_real *r, const prt
     const prt_real *proper = r;
     prt_real minus[9];
     if (!prt__axes_ok(&c)) return PRT_ERR_ROTATION;
-    out[0] = f[0];
-    if (bands > 1) prt__rotate_band_1(&c, f, out);
-    if (bands == 3 || bands == 4) prt__rotate_band_2(&c, r, f, out);
-    if (bands == 4) prt__rotate_band_3(&c, r, f, out);
-    if (bands > 4) {
+    if (bands == 1) out[0] = f[0];
+    else prt__rotate_band_1(&c, f, out);
+    if (bands >= 3 && bands <= 5) prt__rotate_band_2(&c, f, out);
+    if (bands == 4 || bands == 5) {
+        prt__axes d = prt__load_axes_and_sum(r);
+        prt__quad w[5];
+        prt__squares(&d, w);
+        prt__rotate_band_3(&c, w, f + 9, out + 9);
+        if (bands == 5) prt__rotate_band_4(&c, w, f + 20, out + 20);
+    }
+    if (bands > 5) {
         if (prt__determinant(r) < 0) proper = prt__negated(r, minus);
-        prt__rotate_upper_bands(bands, proper, f, out);
+        prt__zyz_bands(bands, proper, f, out);
         if (proper == minus) prt__negate_odd_bands(3, bands, out);
     }
     return PRT_OK;
