@@ -181,6 +181,16 @@ BATCH(unpack_8,    "unpack", "prt_transfer_unpack, 8 bits", LOW, 1024,
       prt_transfer_unpack(&PACKED(8), 0, items, OUT), 2.0 * n * n, 1.0 * n * n / sizeof(prt_real), n * n)
 BATCH(unpack_half, "unpack", "prt_transfer_unpack, half", LOW, 1024,
       prt_transfer_unpack(&PACKED(HALF), 0, items, OUT), 0, 2.0 * n * n / sizeof(prt_real), n * n)
+BATCH(incident_n,   "incident_n", "prt_shade_incident_n", "1-6", (1024 / (n * n)),
+      prt_shade_incident_n(n, n, 1, items, ROWS, F, OUT), 6.0 * n * n * n * n, n * n * n * n, 3 * n * n)
+EACH (incident,     "incident_n", "prt_shade_incident, point after point", "1-6", (1024 / (n * n)),
+      prt_shade_incident(n, n, 1, ROWS + k * n * n * n * n, F, OUT), 6.0 * n * n * n * n, n * n * n * n, 3 * n * n)
+BATCH(glossy_n,     "glossy_n", "prt_shade_glossy_n",   LOW, 341,
+      prt_shade_glossy_n(n, items, ROWS, G, DIRS, (prt_rgb *)OUT), EVAL_FLOPS + 7.0 * n * n, 3 * n * n, 3)
+EACH (glossy,       "glossy_n", "prt_shade_glossy, point after point", LOW, 341,
+      prt_shade_glossy(n, ROWS + 3 * k * n * n, G, DIR(k), (prt_rgb *)OUT), EVAL_FLOPS + 7.0 * n * n, 3 * n * n, 3)
+EACH (phong,        "phong",    "prt_phong_zonal",      LOW, 64,    prt_phong_zonal(n, 12, OUT), 0, 1, n)
+EACH (local_frame,  "local_frame", "prt_local_frame",   "0", 64,    prt_local_frame(DIR(k), OUT), 0, 3, 9)
 
 /* >>fiv: an item is a receiver and an occluder; a lookup reads eight samples of nine. `bands` do not matter */
 #define FIV_READS (8 * 9)

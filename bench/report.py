@@ -87,6 +87,10 @@ TITLES = {
     "result_string": "Text of a result (`prt_result_string`)",
     "unpack": "Transfer of packed transfer (`prt_transfer_unpack`)",
     "diffuse_n": "Shade from transfer, three colours (`prt_shade_diffuse_n`)",
+    "incident_n": "Light through a transfer matrix (`prt_shade_incident_n`)",
+    "glossy_n": "Shade a glossy lobe (`prt_shade_glossy_n`)",
+    "phong": "Factors of Phong's lobe (`prt_phong_zonal`)",
+    "local_frame": "A frame about a normal (`prt_local_frame`)",
 }
 
 COLOURS = ["#1b6ca8", "#d1495b", "#2e8b57", "#b5651d", "#6a4c93", "#555555", "#e0a100", "#00868b"]
