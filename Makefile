@@ -9,6 +9,7 @@ help:
 	@echo "make demo       bake and relight the Stanford bunny; pictures in out/"
 	@echo "make vo         compare vector occluders with other techniques; writes docs/vo.md and its pictures"
 	@echo "make fiv        moving occluders: writes docs/fiv.md, its pictures and an animation"
+	@echo "make advise     ask advise about some scenes; writes docs/advise.md"
 	@echo "make test       build and run every test; ends with 'N passed, N failed'"
 	@echo "make bench      time and error of every candidate, as tables and CSV"
 	@echo "make gen        rewrite the generated blocks of the headers (gen-check: only compare)"
@@ -38,6 +39,11 @@ vo:
 	@./deps.sh demo bench
 	@$(without_tests)
 	@cmake --build $(BUILD)/tools -j$(JOBS) --target vo
+
+advise:
+	@./deps.sh demo bench
+	@$(without_tests)
+	@cmake --build $(BUILD)/tools -j$(JOBS) --target advise
 
 fiv:
 	@./deps.sh demo
@@ -73,4 +79,4 @@ install:
 clean:
 	rm -rf $(BUILD) out
 
-.PHONY: help test demo vo fiv bench docs gen gen-check fuzz portability install clean
+.PHONY: help test demo vo fiv advise bench docs gen gen-check fuzz portability install clean

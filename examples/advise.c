@@ -24,12 +24,13 @@ static const char usage[] =
     "  --error E          largest root mean square error of exit radiance, as a share of its mean [0.02];\n"
     "                     up to 8 of them\n"
     "  --by bytes|time    what is cheap: bytes a vertex, or time a vertex [bytes]\n"
-    "  --check N          vertices at which rays are traced and errors measured [256]\n"
+    "  --check N          vertices at which rays are traced and errors measured [512]\n"
     "  --rays N           most rays a vertex that a bake may take, 64, 256, 1024 or 4096 are tried [4096]\n"
     "  --floor            put the mesh on a round floor\n"
     "  --z-up             the file's up is +z [+y]\n"
     "  --seed N           another choice of vertices and rays [0]\n"
     "  --threads N        threads [all processors]\n"
+    "  --rows             print advice also as rows of a table\n"
     "  --all              print every set-up that was tried\n"
     "  --csv FILE         write every set-up that was tried\n"
     "  --plot FILE.svg    draw error against cost, .svg or .png (needs gnuplot)\n"
@@ -43,6 +44,8 @@ static const char usage[] =
 
 const char *const method_names[METHOD_COUNT] = { "normal only", "ambient occlusion", "transfer", "vector occluders",
                                                  "moving occluder" };
+const char *const stored_names[STORED_COUNT] = { "nothing", "float", "half", "16 bits", "8 bits" };
+const int stored_bits[STORED_COUNT] = { 0, 32, 16, 16, 8 };
 static const char *const window_names[] = { "none", "Hann", "Lanczos", "positive" };
 
 /* ---- the command line ---- */
@@ -109,7 +112,7 @@ static int parse_numbers(const char *word, const char *next, options *o, int *kn
 static int parse(int count, char **words, options *o, why *w) {
     int i;
     memset(o, 0, sizeof *o);
-    o->check = 256;
+    o->check = 512;
     o->rays = 4096;
     o->threads = processor_count();
     for (i = 1; i < count; i++) {
@@ -181,6 +184,7 @@ static int by_cost(const trial *a, const trial *b, int by_time) {
     double second = a->method != b->method ? (double)a->method - (double)b->method : a->bands - b->bands;
     if (first != 0) return first < 0 ? -1 : 1;
     if (second != 0) return second < 0 ? -1 : 1;
+    if (a->stored != b->stored) return a->stored < b->stored ? -1 : 1;
     if (a->rays != b->rays) return a->rays < b->rays ? -1 : 1;
     return a->square < b->square ? -1 : a->square > b->square;
 }
@@ -190,42 +194,35 @@ static int cheaper_in_time(const void *a, const void *b) { return by_cost((const
 /* ---- the report ---- */
 
 static void describe(const trial *t, char *text, size_t size) {
-    char rays[32] = "", bits[32] = "";
+    char rays[32] = "", as[32] = "";
     if (t->rays) snprintf(rays, sizeof rays, ", %d rays", t->rays);
-    if (t->bits) snprintf(bits, sizeof bits, ", %d bits", t->bits);
+    if (t->stored) snprintf(as, sizeof as, ", %s", stored_names[t->stored]);
     snprintf(text, size, "%s, %d band%s%s, window %s%s", method_names[t->method], t->bands, t->bands > 1 ? "s" : "",
-             rays, window_names[t->window], bits);
+             rays, window_names[t->window], as);
 }
 
-static void print_row(const trial *t, const char *mark) {
-    printf("%-18s %5d %5d  %-9s %4d %6.0f %7.1f  %7.2f +- %4.2f", method_names[t->method], t->bands, t->rays,
-           window_names[t->window], t->bits, t->bytes, t->ns, 100 * trial_error(t), 100 * trial_uncertainty(t));
+static void print_row(const trial *t) {
+    printf("%-18s %5d %5d  %-9s %-7s %6.0f %7.1f  %7.2f +- %4.2f", method_names[t->method], t->bands, t->rays,
+           window_names[t->window], stored_names[t->stored], t->bytes, t->ns, 100 * trial_error(t),
+           100 * trial_uncertainty(t));
     if (t->predicted >= 0) printf("   %7.2f", 100 * t->predicted);
-    else printf("          ");
-    printf("%s\n", mark);
-}
-
-/* The trial is the most exact of those that store the same. */
-static int best_of_its_kind(const advisor *a, const trial *t) {
-    int k;
-    for (k = 0; k < a->trial_count; k++) {
-        const trial *o = &a->trials[k];
-        if (o->method == t->method && o->bands == t->bands && o->bits == t->bits && o->square < t->square) return 0;
-    }
-    return 1;
+    printf("\n");
 }
 
 void print_trials(const advisor *a) {
+    double least = HUGE_VAL;
     int k, shown = 0;
-    printf("\n%-18s %5s %5s  %-9s %4s %6s %7s  %-15s %9s\n", "method", "bands", "rays", "window", "bits", "bytes", "ns",
-           "error, %", "foretold");
-    for (k = 0; k < a->trial_count; k++)
-        if (a->o.all || best_of_its_kind(a, &a->trials[k])) {
-            print_row(&a->trials[k], "");
-            shown++;
-        }
+    printf("\n%-18s %5s %5s  %-9s %-7s %6s %7s  %-15s %9s\n", "method", "bands", "rays", "window", "stored", "bytes",
+           "ns", "error, %", "foretold");
+    for (k = 0; k < a->trial_count; k++) {
+        const trial *t = &a->trials[k];
+        if (!a->o.all && !(trial_error(t) < 0.98 * least)) continue;
+        print_row(t);
+        least = fmin(least, trial_error(t));
+        shown++;
+    }
     if (!a->o.all)
-        printf("(%d of %d: of each method, bands and bits the rays and the window with the least error)\n", shown,
+        printf("(%d of %d: what errs less, by 2 %% of the error or more, than everything cheaper)\n", shown,
                a->trial_count);
 }
 
@@ -234,31 +231,34 @@ static int meets(const trial *t, double error) {
     return safe <= error * error;
 }
 
-static void print_row_of_page(const advisor *a, double error, const trial *t, const trial *again) {
-    printf("ROW|%s|%s|%g|%s|%d|%d|%s|%d|%.0f|%.1f|%.2f ± %.2f|%.2f ± %.2f\n", a->o.mesh, a->environment.name, error,
-           method_names[t->method], t->bands, t->rays, window_names[t->window], t->bits, t->bytes, t->ns,
-           100 * trial_error(t), 100 * trial_uncertainty(t), 100 * trial_error(again), 100 * trial_uncertainty(again));
+static void print_table_row(double error, const trial *t, const trial *again) {
+    printf("row | %g %% | %s | %d | %d | %s | %s | %.0f | %.1f | %.2f ± %.2f | %.2f ± %.2f |\n", 100 * error,
+           method_names[t->method], t->bands, t->rays, window_names[t->window], stored_names[t->stored], t->bytes,
+           t->ns, 100 * trial_error(t), 100 * trial_uncertainty(t), 100 * trial_error(again),
+           100 * trial_uncertainty(again));
 }
 
 /* The cheapest trial that meets the error here, and elsewhere with other rays. 0; NOTHING_MEETS; -1 and w. */
 static int advise_one(advisor *a, double error, int (*verify)(advisor *, trial *, why *), why *w) {
     const trial *best = NULL;
+    double failed = HUGE_VAL;                              /* least error here of what has failed elsewhere */
     int k, tried = 0;
     for (k = 0; k < a->trial_count && tried < ATTEMPTS; k++) {
         const trial *t = &a->trials[k];
         trial again = *t;
         char text[200];
         if (!best || t->square < best->square) best = t;
-        if (!meets(t, error)) continue;
+        if (!meets(t, error) || !(trial_error(t) < 0.95 * failed)) continue;
         if (verify(a, &again, w)) return -1;
         tried++;
         describe(t, text, sizeof text);
-        if (a->o.rows && again.square <= error * error) print_row_of_page(a, error, t, &again);
+        if (a->o.rows && again.square <= error * error) print_table_row(error, t, &again);
         printf("for an error of %.3g %%: %s: %.0f bytes and %.1f ns a vertex\n", 100 * error, text, t->bytes, t->ns);
         printf("    error %.2f +- %.2f %%; at %d other vertices, with other rays, %.2f +- %.2f %%%s\n",
                100 * trial_error(t), 100 * trial_uncertainty(t), a->second.count, 100 * trial_error(&again),
                100 * trial_uncertainty(&again), again.square <= error * error ? "" : ": too much; the next one");
         if (again.square <= error * error) return 0;
+        failed = trial_error(t);
     }
     for (; k < a->trial_count; k++) if (!best || a->trials[k].square < best->square) best = &a->trials[k];
     if (best && tried == 0)
@@ -287,11 +287,12 @@ int write_csv(const advisor *a, why *w) {
     replacement file;
     int k;
     if (replacement_open(a->o.csv, &file, w)) return -1;
-    fprintf(file.file, "method,bands,rays,window,bits,bytes,ns,error,standard_error,foretold\n");
+    fprintf(file.file, "method,bands,rays,window,stored,bytes,ns,error,standard_error,foretold\n");
     for (k = 0; k < a->trial_count; k++) {
         const trial *t = &a->trials[k];
-        fprintf(file.file, "%s,%d,%d,%s,%d,%g,%g,%g,%g,", method_names[t->method], t->bands, t->rays,
-                window_names[t->window], t->bits, t->bytes, t->ns, trial_error(t), trial_uncertainty(t));
+        fprintf(file.file, "%s,%d,%d,%s,%s,%g,%g,%g,%g,", method_names[t->method], t->bands, t->rays,
+                window_names[t->window], stored_names[t->stored], t->bytes, t->ns, trial_error(t),
+                trial_uncertainty(t));
         fprintf(file.file, t->predicted >= 0 ? "%g\n" : "\n", t->predicted);
     }
     return replacement_commit(&file, w);

@@ -7,7 +7,7 @@
 #include "mesh.h"
 #include "program.h"
 
-enum { MOST_ERRORS = 8, MOST_BANDS = 10, LIGHT_BANDS = 16, MOST_TRIALS = 2048, HALVES = 2 };
+enum { MOST_ERRORS = 8, MOST_BANDS = 16, LIGHT_BANDS = 20, MOST_TRIALS = 2048, HALVES = 2 };
 
 typedef struct options {
     const char *mesh, *environment, *moving, *plot, *csv;
@@ -26,12 +26,17 @@ typedef enum method {
 } method;
 extern const char *const method_names[METHOD_COUNT];
 
+/* How a number is stored: as it is, or as prt_transfer_pack does. */
+typedef enum stored { STORED_NOTHING, STORED_FLOAT, STORED_HALF, STORED_16, STORED_8, STORED_COUNT } stored;
+extern const char *const stored_names[STORED_COUNT];
+extern const int stored_bits[STORED_COUNT];
+
 /* A set-up that was tried. Errors are relative to the mean of the truth over the checked vertices and colours. */
 typedef struct trial {
     method     method;
     int        bands, rays;            /* rays a vertex in the bake; 0: none */
     prt_window window;                 /* of the light; width = bands */
-    int        bits;                   /* a number as it is stored */
+    stored     stored;
     int        groups, kept;           /* vector occluders: groups of faces, occluders kept a vertex */
     int        grid[3];                /* irradiance vectors: theta, phi, distances */
     double     bytes, ns;              /* a vertex */

@@ -13,7 +13,8 @@
 #include "vector.h"
 
 enum { TRUTH_RAYS = 2048, LIGHT_COUNT = PRT_SH_COUNT(LIGHT_BANDS), MOST_COUNT = PRT_SH_COUNT(MOST_BANDS) };
-enum { LADDER = 4, TIMED = 2048 };
+enum { LADDER = 4, TIMED = 2048, PRINTED = 10, BAND_COUNTS = 13 };
+static const int band_counts[BAND_COUNTS] = { 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16 };
 static const int ladder[LADDER] = { 64, 256, 1024, 4096 };
 
 /* ---- truth ---- */
@@ -202,24 +203,38 @@ typedef struct shading {               /* one way to shade some vertices, as tim
     const trial     *t;
     int             count;
     const prt_point *points;
-    prt_real        light[3 * MOST_COUNT], *rows, *open;
+    prt_real        light[3 * MOST_COUNT], low[MOST_COUNT], step[MOST_COUNT], *rows, *open;
+    void            *data;             /* rows, packed */
+    prt_packed_transfer packed;
     prt_rgb         *out;
 } shading;
 
 static void shade(void *user) {
     shading *s = (shading *)user;
     if (s->t->method == METHOD_SH) {
-        prt_shade_diffuse_n(s->t->bands, s->count, s->rows, s->light, s->out);
+        if (s->data) prt_shade_packed_n(&s->packed, 0, s->count, s->light, s->out);
+        else prt_shade_diffuse_n(s->t->bands, s->count, s->rows, s->light, s->out);
         return;
     }
     shade_normals(s->t->bands, s->count, s->points, s->light, s->out);
     if (s->t->method == METHOD_AO) occlude(s->count, s->open, s->out);
 }
 
+static int pack(shading *s, why *w) {
+    prt_storage as = s->t->stored == STORED_HALF ? PRT_STORAGE_HALF :
+                     s->t->stored == STORED_16 ? PRT_STORAGE_16 : PRT_STORAGE_8;
+    prt_result r;
+    s->data = malloc(prt_transfer_packed_size(s->t->bands, as, s->count));
+    if (!s->data) return why_set(w, "out of memory");
+    r = prt_transfer_pack(s->t->bands, as, s->count, s->rows, s->data, s->low, s->step, &s->packed);
+    return r == PRT_OK ? 0 : why_set(w, "transfer cannot be packed: %s", prt_result_string(r));
+}
+
 static int shading_create(const advisor *a, const trial *t, int count, const prt_point *points, const prt_real *all,
                           shading *s, why *w) {
     int k, c;
     s->t = t;
+    s->data = NULL;
     s->count = count;
     s->points = points;
     s->rows = (prt_real *)malloc((size_t)count * MOST_COUNT * sizeof *s->rows);
@@ -230,16 +245,18 @@ static int shading_create(const advisor *a, const trial *t, int count, const prt
     if (t->method != METHOD_SH)
         for (c = 0; c < 3; c++)
             prt_sh_irradiance(t->bands, s->light + c * PRT_SH_COUNT(t->bands), s->light + c * PRT_SH_COUNT(t->bands));
-    if (t->method == METHOD_SH) first_bands(t->bands, count, all, s->rows);
     if (t->method == METHOD_AO)
         for (k = 0; k < count; k++)                        /* as it is stored, in 8 bits */
             s->open[k] = (prt_real)(floor(255 * 2 * sqrt(pi) * (double)all[(size_t)k * LIGHT_COUNT] + 0.5) / 255);
-    return 0;
+    if (t->method != METHOD_SH) return 0;
+    first_bands(t->bands, count, all, s->rows);
+    return t->stored == STORED_FLOAT ? 0 : pack(s, w);
 }
 
 static void shading_free(shading *s) {
     free(s->rows);
     free(s->open);
+    free(s->data);
     free(s->out);
 }
 
@@ -278,7 +295,7 @@ static int measure_time(const advisor *a, trial *t, why *w) {
 static void print_shares(const char *what, const double *energy, double total) {
     int l;
     printf("%-34s", what);
-    for (l = 0; l < MOST_BANDS; l++) printf(" %5.1f", total > 0 ? 100 * energy[l] / total : 0);
+    for (l = 0; l < PRINTED; l++) printf(" %5.1f", total > 0 ? 100 * energy[l] / total : 0);
     printf("\n");
 }
 
@@ -309,23 +326,23 @@ static void print_measurements(const advisor *a, const checked *c, const prt_rea
     prt_measure_energy(LIGHT_BANDS, c->count, transfer, points);
     prt_measure_visibility(LIGHT_BANDS, c->count, transfer, &v);
     for (l = 0; l < LIGHT_BANDS; l++) all += points[l];
-    printf("%-34s", "bands 1 ... 10");
-    for (l = 1; l <= MOST_BANDS; l++) printf(" %5d", l);
+    printf("%-34s", "bands");
+    for (l = 1; l <= PRINTED; l++) printf(" %5d", l);
     printf("\n");
     print_shares("energy of the light, %", light, total);
     print_shares("energy of the transfer, %", points, all);
     printf("%-34s", "error that leaving out the rest");
-    for (l = 1; l <= MOST_BANDS; l++) {
+    for (l = 1; l <= PRINTED; l++) {
         prt_measure_truncation(LIGHT_BANDS, l, PRT_WINDOW_NONE, c->count, transfer, a->light, &one);
         printf(" %5.2f", 100 * one / c->truth.mean);
     }
     printf("\n%-34s", "costs, % (mean over turned lights)");
-    for (l = 1; l <= MOST_BANDS; l++) {
+    for (l = 1; l <= PRINTED; l++) {
         prt_measure_truncation_turned(LIGHT_BANDS, l, PRT_WINDOW_NONE, points, light, &one);
         printf(" %5.2f", 100 * one / c->truth.mean);
     }
-    printf("\nlight beyond 10 bands: %.1f %% of its energy\n",
-           total > 0 ? 100 * rest(light, total, MOST_BANDS) / total : 0);
+    printf("\nlight beyond %d bands: %.1f %% of its energy\n", PRINTED,
+           total > 0 ? 100 * rest(light, total, PRINTED) / total : 0);
     printf("visibility: %.1f %% open; %.3f bits a ray that only directions tell, %.3f that the vertex tells\n",
            100 * v.open, v.entropy, v.information);
 }
@@ -346,38 +363,49 @@ static double foretell(const advisor *a, const checked *c, const trial *t, const
     return sqrt(lost * lost + 2 * noise * noise) / c->truth.mean;
 }
 
-static trial trial_of(method m, int bands, int rays, prt_window window) {
+static trial trial_of(method m, int bands, stored as, int rays, prt_window window) {
     trial t;
     memset(&t, 0, sizeof t);
     t.method = m;
     t.bands = bands;
     t.rays = m == METHOD_NORMAL ? 0 : rays;
     t.window = window;
-    t.bits = m == METHOD_SH ? 32 : m == METHOD_AO ? 8 : 0;
-    t.bytes = m == METHOD_NORMAL ? 0 : m == METHOD_AO ? 1 : PRT_SH_COUNT(bands) * t.bits / 8.0;
+    t.stored = as;
+    t.bytes = stored_bits[as] / 8.0 * (m == METHOD_SH ? PRT_SH_COUNT(bands) : 1);
     t.predicted = -1;
     return t;
 }
 
-static int try_all(advisor *a, const checked *c, prt_real *transfer[LADDER][HALVES], int steps, why *w) {
-    double ns[METHOD_COUNT][MOST_BANDS + 1];
-    int m, bands, window, step;
-    for (m = METHOD_NORMAL; m <= METHOD_SH; m++)
-        for (bands = 1; bands <= MOST_BANDS; bands++) {
-            trial t = trial_of((method)m, bands, 0, PRT_WINDOW_NONE);
-            if (measure_time(a, &t, w)) return -1;
-            ns[m][bands] = t.ns;
-            for (step = 0; step < (m == METHOD_NORMAL ? 1 : steps); step++)
-                for (window = PRT_WINDOW_NONE; window <= PRT_WINDOW_POSITIVE; window++) {
-                    if (bands == 1 && window != PRT_WINDOW_NONE) continue;
-                    t = trial_of((method)m, bands, ladder[step], (prt_window)window);
-                    t.ns = ns[m][bands];
-                    if (judge(a, c, transfer[step][0], &t, w)) return -1;
-                    if (m == METHOD_SH)
-                        t.predicted = foretell(a, c, &t, transfer[steps - 1][0], transfer[step][0], transfer[step][1]);
-                    advisor_keep(a, &t);
-                }
+/* One method with so many bands, stored so: every number of rays and every window. */
+static int try_settings(advisor *a, const checked *c, prt_real *transfer[LADDER][HALVES], int steps, method m,
+                        int bands, stored as, why *w) {
+    trial t = trial_of(m, bands, as, 0, PRT_WINDOW_NONE);
+    double ns;
+    int window, step;
+    if (measure_time(a, &t, w)) return -1;
+    ns = t.ns;
+    for (step = 0; step < (m == METHOD_NORMAL ? 1 : steps); step++)
+        for (window = PRT_WINDOW_NONE; window <= (bands > 1 ? PRT_WINDOW_POSITIVE : PRT_WINDOW_NONE); window++) {
+            t = trial_of(m, bands, as, ladder[step], (prt_window)window);
+            t.ns = ns;
+            if (judge(a, c, transfer[step][0], &t, w)) return -1;
+            if (m == METHOD_SH)
+                t.predicted = foretell(a, c, &t, transfer[steps - 1][0], transfer[step][0], transfer[step][1]);
+            advisor_keep(a, &t);
         }
+    return 0;
+}
+
+static int try_all(advisor *a, const checked *c, prt_real *transfer[LADDER][HALVES], int steps, why *w) {
+    int as, k;
+    for (k = 0; k < BAND_COUNTS && !interrupted; k++) {
+        int bands = band_counts[k];
+        if (try_settings(a, c, transfer, steps, METHOD_NORMAL, bands, STORED_NOTHING, w) ||
+            try_settings(a, c, transfer, steps, METHOD_AO, bands, STORED_8, w))
+            return -1;
+        for (as = STORED_FLOAT; as <= STORED_8; as++)
+            if (try_settings(a, c, transfer, steps, METHOD_SH, bands, (stored)as, w)) return -1;
+    }
     return 0;
 }
 
