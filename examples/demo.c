@@ -26,6 +26,7 @@
 #include "prt_bake.h"
 
 #include <errno.h>
+#include <limits.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -407,25 +408,24 @@ static int run(demo *d, why *w) {
 }
 
 static int parse(int count, char **words, demo *d, why *w) {
-    int i;
+    long rays = 8192, size = 300, threads = processor_count();
+    int i, bad = 0;
     d->mesh_path = "/usr/share/glmark2/models/bunny.obj";
     d->data = PRT_EXAMPLE_DATA;
     d->out = "out";
-    d->rays = 8192;
-    d->size = 300;
-    d->threads = processor_count();
-    for (i = 1; i + 1 < count; i += 2) {
-        const char *word = words[i], *value = words[i + 1];
-        if (strcmp(word, "--out") == 0) d->out = value;
-        else if (strcmp(word, "--mesh") == 0) d->mesh_path = value;
-        else if (strcmp(word, "--rays") == 0) d->rays = atoi(value);
-        else if (strcmp(word, "--size") == 0) d->size = atoi(value);
-        else if (strcmp(word, "--threads") == 0) d->threads = atoi(value);
-        else break;
+    for (i = 1; i < count && !bad; i += 2) {
+        const char *word = words[i], *value = i + 1 < count ? words[i + 1] : NULL;
+        if (value && strcmp(word, "--out") == 0) d->out = value;
+        else if (value && strcmp(word, "--mesh") == 0) d->mesh_path = value;
+        else if (strcmp(word, "--rays") == 0) bad = parse_number(word, value, 1, INT_MAX, &rays, w);
+        else if (strcmp(word, "--size") == 0) bad = parse_number(word, value, 240, 2048, &size, w);
+        else if (strcmp(word, "--threads") == 0) bad = parse_number(word, value, 1, 256, &threads, w);
+        else bad = why_set(w, "usage: demo [--out DIR] [--mesh FILE] [--rays N] [--size 240...2048] [--threads N]");
     }
-    if (i < count || d->rays < 1 || d->size < 240 || d->size > 2048 || d->threads < 1 || d->threads > 256)
-        return why_set(w, "usage: demo [--out DIR] [--mesh FILE] [--rays N] [--size 240...2048] [--threads N]");
-    return 0;
+    d->rays = (int)rays;
+    d->size = (int)size;
+    d->threads = (int)threads;
+    return bad;
 }
 
 int main(int count, char **words) {
@@ -433,6 +433,7 @@ int main(int count, char **words) {
     why w;
     int failed;
     stop_on(SIGINT);
+    stop_on(SIGTERM);
     failed = parse(count, words, &d, &w) || run(&d, &w);
     if (failed) fprintf(stderr, "demo: %s\n", w.line);
     demo_free(&d);

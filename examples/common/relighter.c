@@ -163,7 +163,7 @@ int relighter_fits(int bands, const mesh *m, why *w) {
     gl.GetInteger64v(GL_MAX_UNIFORM_BLOCK_SIZE, &uniform);
     limit = most_texels < INT_MAX ? (double)most_texels : INT_MAX;
     if (block > (double)storage)
-        return why_set(w, "%.0f MB of triangles are more than this OpenGL's %.0f MB: a coarser mesh", block * 1e-6,
+        return why_set(w, "%.0f MB of triangles are more than this OpenGL's %.0f MB: take a coarser mesh, or more rays", block * 1e-6,
                        (double)storage * 1e-6);
     size = 16e-6 * texels;
     if (texels <= limit && 48 * chunks_of(bands) <= uniform) return 0;
