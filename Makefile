@@ -13,9 +13,11 @@ help:
 	@echo "make test       build and run every test; ends with 'N passed, N failed'"
 	@echo "make bench      time and error of every candidate, as tables and CSV"
 	@echo "make gen        rewrite the generated blocks of the headers (gen-check: only compare)"
+	@echo "make icount-update  count the instructions of the main kernels anew, for the test of that name"
 	@echo "make fuzz       run each fuzz target for FUZZ_SECONDS=$(FUZZ_SECONDS)"
 	@echo "make claims     measure what docs/claims.md promises, and compare"
-	@echo "make docs       rewrite the tables and plots of docs/ and README.md from measurements"
+	@echo "make docs-bench rewrite README's table and the pages of docs/ that bench/ writes, from measurements"
+	@echo "make docs       the same for every page that a program writes: the better part of an hour"
 	@echo "make portability  run both headers on other kinds of machine, emulated; writes docs/portability.md"
 	@echo "make install    copy headers and CMake package to PREFIX=$(PREFIX)"
 	@echo "make clean      remove build/ and out/"
@@ -55,12 +57,26 @@ bench:
 	@$(without_tests)
 	@cmake --build $(BUILD)/tools -j$(JOBS) --target bench
 
-docs claims:
+claims:
 	@./deps.sh demo bench
 	@$(without_tests)
-	@cmake --build $(BUILD)/tools -j$(JOBS) --target $@
+	@cmake --build $(BUILD)/tools -j$(JOBS) --target claims
 
-gen gen-check:
+# The pages that bench/ writes; docs has all of them. What is measured runs alone, one after the other.
+docs-bench:
+	@./deps.sh demo bench
+	@$(without_tests)
+	@cmake --build $(BUILD)/tools -j$(JOBS) --target docs
+
+docs-shaders:
+	@./deps.sh test
+	@$(call configure,$(BUILD),-DPRT_TEST_VARIANTS=ON)
+	@cmake --build $(BUILD) -j$(JOBS) --target shader_tables
+
+docs:
+	@for page in docs-bench vo fiv advise portability docs-shaders; do $(MAKE) $$page || exit 1; done
+
+gen gen-check icount-update:
 	@$(without_tests)
 	@cmake --build $(BUILD)/tools -j$(JOBS) --target $@
 
@@ -79,4 +95,4 @@ install:
 clean:
 	rm -rf $(BUILD) out
 
-.PHONY: help test demo vo fiv advise bench docs gen gen-check fuzz portability install clean
+.PHONY: help test demo vo fiv advise bench docs docs-bench docs-shaders gen gen-check icount-update fuzz portability install clean

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """What prt.h aims at, and what was measured: one line for each aim, with its limit and the command that measures it.
 
-usage: claims.py                    from bench/results/*.csv and docs/gallery/demo.csv; writes docs/claims.md
+usage: claims.py [--check]          from bench/results/*.csv and docs/gallery/demo.csv; writes docs/claims.md, or exits
+                                    with 1 unless that says what the files say
        claims.py --measure BUILD    measures anew with the programs under BUILD/bench and BUILD/examples (some minutes),
                                     prints the same table, and exits with 1 where a limit is not kept
 
@@ -13,6 +14,8 @@ import pathlib
 import subprocess
 import sys
 import tempfile
+
+import report
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 RESULTS = ROOT / "bench" / "results"
@@ -134,18 +137,19 @@ def main():
         text, kept = table(data, peers)
         print(text, end="")
         sys.exit(0 if kept else 1)
-    if len(sys.argv) > 1:
+    check = sys.argv[1:] == ["--check"]
+    if sys.argv[1:] and not check:
         sys.exit(__doc__)
     text, _ = table({name: read(path) for name, path in COMMITTED.items()}, peers)
     machine = [line for line in stamp(COMMITTED["speed"]) if line.startswith(("machine", "compiler", "clock"))]
-    (ROOT / "docs" / "claims.md").write_text(f"""# What prt.h aims at, and what was measured
+    report.put([(ROOT / "docs" / "claims.md", f"""# What prt.h aims at, and what was measured
 
 {NOTE}
 
 Programs stand under `build/tools/` after `make bench` and `make demo`; each prints the figure with the options given here.
 `make claims` measures all of it anew, peers apart, and prints this table. {'; '.join(machine)}.
 
-{text}""")
+{text}""")], check)
 
 
 if __name__ == "__main__":

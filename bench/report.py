@@ -2,11 +2,12 @@
 """Writes docs/speed.md, docs/accuracy.md, their plots and the cost table of README.md from the CSV files of prt_bench
 and accuracy.
 
-usage: report.py [--speed CSV] [--accuracy CSV] [--peers CSV] [--root DIRECTORY]
+usage: report.py [--speed CSV] [--accuracy CSV] [--peers CSV] [--root DIRECTORY] [--check]
 
 Without options it reads bench/results/{speed,accuracy,peers}.csv of the tree that it stands in; a file that is not
 there is left out, with what depends on it. --peers takes the CSV of a prt_bench with peers plugged in (peer.h), and
-keeps in bench/results/peers.csv the groups in which a peer took part. Needs gnuplot for the plots.
+keeps in bench/results/peers.csv the groups in which a peer took part. Needs gnuplot for the plots. --check writes
+nothing and exits with 1 unless pages and README say what the files say.
 """
 import argparse
 import csv
@@ -98,6 +99,28 @@ COLOURS = ["#1b6ca8", "#d1495b", "#2e8b57", "#b5651d", "#6a4c93", "#555555", "#e
 
 def complain(text):
     sys.exit("report.py: " + text)
+
+
+def arguments(description, *names):
+    options = argparse.ArgumentParser(description=description)
+    options.add_argument("--root", type=pathlib.Path, default=pathlib.Path(__file__).resolve().parent.parent)
+    options.add_argument("--check", action="store_true", help="write nothing; fail unless the pages are up to date")
+    for name in names:
+        options.add_argument("--" + name, type=pathlib.Path)
+    return options.parse_args()
+
+
+def put(pages, check):
+    """Writes each (path, text), or with `check` compares and leaves the program where one is not what it should be."""
+    stale = [path for path, text in pages if check and (not path.exists() or path.read_text() != text)]
+    for path in stale:
+        print(f"{path} does not say what bench/results/ says: make docs-tables writes it anew", file=sys.stderr)
+    if stale:
+        sys.exit(1)
+    for path, text in pages:
+        if not check:
+            path.parent.mkdir(exist_ok=True)
+            path.write_text(text)
 
 
 class Table:
@@ -266,8 +289,7 @@ def keep_peers(path, kept):
     kept.write_text("".join(line for line in lines if line not in rows or group(rows[line]) in wanted))
 
 
-def write_speed(root, speed, peers):
-    plot_eval_time(root, speed)
+def speed_page(root, speed, peers):
     text = [f"# Speed\n\n{NOTE}\n", stamp(speed), """
 Nanoseconds for one item: the median of interleaved rounds, so that ratios within a table are firmer than the times.
 *To a plain write* is the time over that of `memset` on the same output bytes; *to peak flops* over the time that the
@@ -286,7 +308,7 @@ use all that the machine has, *portable* the compiler's default target, *plain C
         text.append("## Beside other libraries\n\nTheir sources were fetched, compiled with the flags of `native` and "
                     "measured in the same run as prt.h (bench/peer.h tells how to do it again); ns, and the factor to "
                     "prt.h.\n\n" + stamp(peers) + "\n" + side_by_side(peers))
-    (root / "docs" / "speed.md").write_text("\n".join(text))
+    return root / "docs" / "speed.md", "\n".join(text)
 
 
 # ------------------------------------------------------------------------------------------------------- accuracy
@@ -326,7 +348,7 @@ def plot_eval_error(root, accuracy):
          "set xtics (2, 4, 8, 16, 32, 64, 128, 256, 512, 1024)")
 
 
-def write_accuracy(root, accuracy):
+def accuracy_page(root, accuracy):
     shown = [str(n) for n in (1, 2, 3, 4, 5, 6, 8, 10, 13, 16, 24, 32, 48, 64, 96, 128, 256, 512, 1024)]
     shown = [n for n in shown if accuracy.where(bands=n)]
     rows = []
@@ -353,7 +375,6 @@ def write_accuracy(root, accuracy):
                           [figure(worst(accuracy, "own_error", precision=p, **at)) for p in ("float", "double")])
     counts = {w: int(accuracy.where(form="prt_sh_eval", precision="float", bands=1, where=w)[0]["values"])
               for w in ("poles", "elsewhere")}
-    plot_eval_error(root, accuracy)
     text = f"""# Accuracy
 
 {NOTE}
@@ -375,7 +396,7 @@ number of bands.
 ## The other evaluators
 
 {markdown(["evaluator, bands", "float", "double", "float, beyond input rounding", "double, beyond input rounding"], others)}"""
-    (root / "docs" / "accuracy.md").write_text(text)
+    return root / "docs" / "accuracy.md", text
 
 
 def plot_pareto(root, speed, accuracy):
@@ -397,12 +418,11 @@ def plot_pareto(root, speed, accuracy):
 # --------------------------------------------------------------------------------------------------------- README
 
 
-def write_readme(root, speed, accuracy):
+def readme_page(root, speed, accuracy):
     path = root / "README.md"
     begin, end = "<!-- BEGIN TABLE cost -->", "<!-- END TABLE cost -->"
     if not path.exists() or begin not in path.read_text() or end not in path.read_text():
-        print(f"report.py: README.md has no place for the table ({begin} ... {end}); it is left as it is")
-        return
+        complain(f"README.md has no place for the table ({begin} ... {end})")
     columns = [("evaluate one direction", "eval", "prt_sh_eval"), ("one of many", "eval_soa", "prt_sh_eval_soa"),
                ("reconstruct", "at", "prt_sh_at"), ("rotate", "rotate", "prt_sh_rotate"),
                ("product", "product", "prt_sh_product"), ("shade a vertex", "diffuse_n", "prt_shade_diffuse_n")]
@@ -421,18 +441,12 @@ def write_readme(root, speed, accuracy):
                                       f"{of.get('compiler', '')}, `{of.get('flags of float_native', '')}`; largest "
                                       "error of the basis against MPFR, poles included. More in "
                                       "[docs/speed.md](docs/speed.md) and [docs/accuracy.md](docs/accuracy.md).\n")
-    text = path.read_text()
-    path.write_text(re.sub(re.escape(begin) + ".*?" + re.escape(end), lambda _: f"{begin}\n{table}{end}", text,
-                           flags=re.S))
+    return path, re.sub(re.escape(begin) + ".*?" + re.escape(end), lambda _: f"{begin}\n{table}{end}",
+                        path.read_text(), flags=re.S)
 
 
 def main():
-    here = pathlib.Path(__file__).resolve().parent.parent
-    options = argparse.ArgumentParser(description="Writes the tables and plots of docs/ from measurements.")
-    options.add_argument("--root", type=pathlib.Path, default=here)
-    for name in ("speed", "accuracy", "peers"):
-        options.add_argument("--" + name, type=pathlib.Path)
-    options = options.parse_args()
+    options = arguments("Writes the tables and plots of docs/ from measurements.", "speed", "accuracy", "peers")
     if options.peers:
         if not options.peers.exists():
             complain(f"cannot read {options.peers}")
@@ -445,15 +459,22 @@ def main():
         if not path.exists() and getattr(options, name):
             complain(f"cannot read {path}")
         tables[name] = Table(path) if path.exists() else None
-    (options.root / "docs").mkdir(exist_ok=True)
-    speed, accuracy, peers = tables["speed"], tables["accuracy"], tables["peers"]
+    root, speed, accuracy, peers = options.root, tables["speed"], tables["accuracy"], tables["peers"]
+    pages = []
     if accuracy:
-        write_accuracy(options.root, accuracy)
+        pages.append(accuracy_page(root, accuracy))
     if speed and accuracy:
-        plot_pareto(options.root, speed, accuracy)
-        write_readme(options.root, speed, accuracy)
+        pages.append(readme_page(root, speed, accuracy))
     if speed:
-        write_speed(options.root, speed, peers)
+        pages.append(speed_page(root, speed, peers))
+    if not options.check:
+        if accuracy:
+            plot_eval_error(root, accuracy)
+        if speed:
+            plot_eval_time(root, speed)
+        if speed and accuracy:
+            plot_pareto(root, speed, accuracy)
+    put(pages, options.check)
 
 
 if __name__ == "__main__":
