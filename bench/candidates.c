@@ -4,8 +4,10 @@
 #define PRT_IMPLEMENTATION
 #include "prt.h"
 #include "bench.h"
+#include "peak.h"
 #include "textbook.h"
 #include "kernel_flops.h"
+#include "vo_operations.h"
 
 #define DIRS ((const prt_vec3 *)data->directions)
 #define DIR(k) (DIRS[k])
@@ -251,46 +253,12 @@ static const bench_candidate rows[] = {
 #include "candidates.h"
 };
 
-/* The peak rate: twelve independent chains of multiply-adds on vectors as wide as the build allows. */
-#if defined(PRT_NO_SIMD)
-typedef prt_real wide;
-#elif defined(__AVX512F__)
-typedef prt_real wide __attribute__((vector_size(64)));
-#elif defined(__AVX__)
-typedef prt_real wide __attribute__((vector_size(32)));
-#else
-typedef prt_real wide __attribute__((vector_size(16)));
-#endif
-
-#if defined(__x86_64__) || defined(__i386__)
-#  define PIN(value) __asm__ volatile("" : "+x"(value));
-#elif defined(__aarch64__)
-#  define PIN(value) __asm__ volatile("" : "+w"(value));
-#else
-#  define PIN(value) __asm__ volatile("" : "+m"(value));
-#endif
-
-enum { CHAINS = 12, STEPS = 64, PEAK_FLOPS = 2 * CHAINS * STEPS * (int)(sizeof(wide) / sizeof(prt_real)) };
-
 static int peak_items(int n) { (void)n; return PEAK_FLOPS; }
 static double peak_none(int n) { (void)n; return 0; }
 
 static void peak_run(const bench_data *data, int n, int items, long passes) {
-    wide a[CHAINS], scale, offset;
-    int i, step;
     (void)n; (void)items;
-    memset(a, 0, sizeof a);
-    scale = a[0] + (prt_real)0.5;
-    offset = a[0] + (prt_real)0.25;
-    PIN(scale) PIN(offset)
-    for (; passes > 0; passes--)
-        for (step = 0; step < STEPS; step++) {
-            for (i = 0; i < CHAINS; i++) a[i] = a[i] * scale + offset;
-            PIN(a[0]) PIN(a[1]) PIN(a[2]) PIN(a[3]) PIN(a[4]) PIN(a[5])
-            PIN(a[6]) PIN(a[7]) PIN(a[8]) PIN(a[9]) PIN(a[10]) PIN(a[11])
-        }
-    for (i = 1; i < CHAINS; i++) a[0] += a[i];
-    memcpy(data->out, &a[0], sizeof a[0]);
+    peak_passes(passes, (prt_real *)data->out);
     BENCH_KEEP(data->out);
 }
 

@@ -254,37 +254,36 @@ BATCH(fiv_unpack16, "fiv_table", "prt_fiv_unpack, 16 bits", "0", FIV_RECEIVERS,
 EACH (fiv_size,     "fiv_packed_size", "prt_fiv_packed_size", "0", 64,
       FIV; *(size_t *)data->out = prt_fiv_packed_size(&s->table, 8), 0, 0, 0)
 
-/* >>vo: "bands" is the number of lights; five opaque occluders a point. Operations are the additions, multiplications
-   and divisions of the vector code: for each point, occluder, light, and both; comparisons, masks and exponents are not
-   counted */
+/* >>vo: "bands" is the number of lights; five opaque occluders a point. */
 #define LIT "1,2,4,8,16,32"
-#define VO_FLOPS(occluder, both) (40.0 + (occluder) * VO_SEEN + 103.0 * n + (both) * (double)n * VO_SEEN)
+#define VO_FLOPS(occluder, both) vo_operations(1, VO_SEEN, n, occluder, both)
 #define VO_EYE (VO->lights[0].position)
 #define VO_RGB ((prt_rgb *)OUT)
 EACH (vo_dd_one,    "vo_dd",    "prt_vo_shade, point after point", LIT, VO_POINTS,
       prt_vo_shade(&VO->dd, VO->points + k, VO_EYE, VO_SEEN, VO->occluders + k * VO_SEEN, n, VO->lights, VO_RGB),
-      VO_FLOPS(60, 65), 16 + 26 * VO_SEEN, 3)
+      VO_FLOPS(VO_DD_OCCLUDER, VO_DD_BOTH), 16 + 26 * VO_SEEN, 3)
 BATCH(vo_dd_n,      "vo_dd",    "prt_vo_shade_n",       LIT, VO_POINTS,
       prt_vo_shade_n(&VO->dd, items, VO->points, VO_EYE, VO->first, VO->occluders, n, VO->lights, VO_RGB),
-      VO_FLOPS(60, 65), 16 + 26 * VO_SEEN, 3)
+      VO_FLOPS(VO_DD_OCCLUDER, VO_DD_BOTH), 16 + 26 * VO_SEEN, 3)
 BATCH(vo_dd_packed, "vo_dd",    "prt_vo_shade_packed_diffuse_n", LIT, VO_POINTS,
       prt_vo_shade_packed_diffuse_n(&VO->dd, 1, items, VO->points, VO_EYE, VO->first, VO->packed_diffuse, n,
-      VO->lights, VO_RGB), VO_FLOPS(130, 65), 16 + 20.0 / sizeof(prt_real) * VO_SEEN, 3)
+      VO->lights, VO_RGB), VO_FLOPS(VO_DD_OCCLUDER + 70, VO_DD_BOTH), 16 + 20.0 / sizeof(prt_real) * VO_SEEN, 3)
 BATCH(vo_dd_indexed, "vo_dd",   "prt_vo_shade_indexed_diffuse_n", LIT, VO_POINTS,
       prt_vo_shade_indexed_diffuse_n(&VO->dd, items, VO->points, VO_EYE, VO->first, VO->material_count_diffuse,
-      VO->materials_diffuse, VO->indexed_diffuse, n, VO->lights, VO_RGB), VO_FLOPS(65, 65), 16 + 10 * VO_SEEN, 3)
+      VO->materials_diffuse, VO->indexed_diffuse, n, VO->lights, VO_RGB),
+      VO_FLOPS(VO_DD_OCCLUDER + 5, VO_DD_BOTH), 16 + 10 * VO_SEEN, 3)
 EACH (vo_all_one,   "vo_all",   "prt_vo_shade, point after point", LIT, VO_POINTS,
       prt_vo_shade(&VO->all, VO->points + k, VO_EYE, VO_SEEN, VO->occluders + k * VO_SEEN, n, VO->lights, VO_RGB),
-      VO_FLOPS(155, 97), 16 + 26 * VO_SEEN, 3)
+      VO_FLOPS(VO_ALL_OCCLUDER, VO_ALL_BOTH), 16 + 26 * VO_SEEN, 3)
 BATCH(vo_all_n,     "vo_all",   "prt_vo_shade_n",       LIT, VO_POINTS,
       prt_vo_shade_n(&VO->all, items, VO->points, VO_EYE, VO->first, VO->occluders, n, VO->lights, VO_RGB),
-      VO_FLOPS(155, 97), 16 + 26 * VO_SEEN, 3)
+      VO_FLOPS(VO_ALL_OCCLUDER, VO_ALL_BOTH), 16 + 26 * VO_SEEN, 3)
 BATCH(vo_all_packed, "vo_all",  "prt_vo_shade_packed_n", LIT, VO_POINTS,
       prt_vo_shade_packed_n(&VO->all, 1, items, VO->points, VO_EYE, VO->first, VO->packed, n, VO->lights, VO_RGB),
-      VO_FLOPS(290, 97), 16 + 40.0 / sizeof(prt_real) * VO_SEEN, 3)
+      VO_FLOPS(VO_ALL_OCCLUDER + 135, VO_ALL_BOTH), 16 + 40.0 / sizeof(prt_real) * VO_SEEN, 3)
 BATCH(vo_all_indexed, "vo_all", "prt_vo_shade_indexed_n", LIT, VO_POINTS,
       prt_vo_shade_indexed_n(&VO->all, items, VO->points, VO_EYE, VO->first, VO->material_count, VO->materials,
-      VO->indexed, n, VO->lights, VO_RGB), VO_FLOPS(165, 97), 16 + 19 * VO_SEEN, 3)
+      VO->indexed, n, VO->lights, VO_RGB), VO_FLOPS(VO_ALL_OCCLUDER + 10, VO_ALL_BOTH), 16 + 19 * VO_SEEN, 3)
 #define VO_POINT VO->points[k].position
 EACH (vo_pack,      "vo_pack",  "prt_vo_pack, 5 occluders", "0", VO_POINTS,
       prt_vo_pack(1, VO_POINT, VO_SEEN, VO->occluders + k * VO_SEEN, (prt_vo_packed *)data->out), 0,

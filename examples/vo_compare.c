@@ -211,6 +211,7 @@ int main(int count, char **words) {
     int failed;
     d.stop = &interrupted;
     stop_on(SIGINT);
+    stop_on(SIGTERM);
     signal(SIGPIPE, SIG_IGN);
     failed = parse(count, words, &d.o, &w) || run(&d, &w);
     if (failed) fprintf(stderr, "vo_compare: %s\n", w.line);

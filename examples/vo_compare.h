@@ -8,6 +8,7 @@
 #include "path_reference.h"
 #include "shadow_laws.h"
 #include "techniques.h"
+#include "vo_compare_limit.h"
 
 enum { SAMPLES_A_PIXEL = 2, MOST_LIGHTS = 32, SETS = 6, RUNS = 5 };
 static const int light_counts[SETS] = { 1, 2, 4, 8, 16, 32 };
@@ -64,6 +65,15 @@ typedef struct split_study {
     double       seen, bake_seconds, seconds;              /* seen: a vertex, mean; seconds: VO/DD, cap law, 8 lights */
 } split_study;
 
+/* Shading all vertices of the shapes under 8 lights from each form, [0] with all terms, [1] VO/DD. */
+enum { FORMS = 3, TERMS = 2, BUILDS = 2 };
+typedef struct form_times {
+    double loop;                       /* prt_vo_shade for each vertex */
+    double seconds[FORMS];             /* plain, indexed, packed */
+    double differs[FORMS];             /* from plain, relative */
+    limit  limits[BUILDS];
+} form_times;
+
 typedef struct study {
     volatile sig_atomic_t *stop;       /* becomes nonzero: give up */
     options   o;
@@ -75,9 +85,7 @@ typedef struct study {
     double    sky_errors[SKY_COUNTS];
     double    ball_noise, glass_noise;
     double    ch_differs;              /* CH with its Gram matrix against SH, relative */
-    double    loop_seconds, batch_seconds;
-    double    packed_seconds, packed_differs;              /* 8 lights, as the next line */
-    double    diffuse_seconds, packed_diffuse_seconds, packed_diffuse_differs;
+    form_times forms[TERMS];
 } study;
 
 static const prt_rgb background = { (prt_real)0.03, (prt_real)0.03, (prt_real)0.035 };
@@ -107,8 +115,11 @@ score compare(const picture *p, const picture r[PATH_HALVES], const picture *mea
 /* Traces the truth of a scene under a rig, and scores everything that takes part. */
 int  measure(const study *d, stage *s, int matte, int which, why *w);
 int  time_shading(stage *s, why *w);
-int  time_forms(study *d, why *w);
 void compare_ch(study *d);
+
+/* vo_compare_forms.c */
+
+int  time_forms(study *d, why *w);
 
 /* vo_compare_studies.c */
 

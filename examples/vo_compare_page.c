@@ -219,12 +219,11 @@ int write_plots(const study *d, why *w) {
 
 /* ---- the page ---- */
 
-/* Numbers that shading reads of each occluder: its vectors in the C structure, of three numbers each, and a form
-   factor. */
-static int numbers_of(technique how) {
-    if (how == TECHNIQUE_VO_DD || how == TECHNIQUE_VO_DD_CAP) return 4 * 3 + 1;
-    if (how == TECHNIQUE_VO || how == TECHNIQUE_VO_CAP) return 6 * 3 + 1;
-    return 0;
+static const double mebi = 1048576, mega = 1e6;
+
+/* The form in which a technique of VO keeps its occluders. */
+static prt_vo_form form_of(technique how) {
+    return how == TECHNIQUE_VO_DD || how == TECHNIQUE_VO_DD_CAP ? PRT_VO_INDEXED_DIFFUSE : PRT_VO_INDEXED;
 }
 
 static double bytes_of(const study *d, technique how) {
@@ -236,10 +235,8 @@ static double bytes_of(const study *d, technique how) {
         int bands = techniques_bands[how == TECHNIQUE_SH6 || how == TECHNIQUE_CH6];
         return points * 3 * PRT_SH_COUNT(bands) * sizeof(prt_real);
     }
-    return (points + 1) * sizeof(int) + (double)t->occluder_count * numbers_of(how) * sizeof(prt_real);
+    return (double)prt_vo_size(form_of(how), t->scene->mesh.point_count, t->occluder_count, t->material_count);
 }
-
-static const double mebi = 1048576;
 
 static void bake_times(const techniques *t, technique how, double pass[2]) {
     int six = how == TECHNIQUE_SH6 || how == TECHNIQUE_CH6;
@@ -339,6 +336,49 @@ static void write_errors(const study *d, FILE *to) {
     write_scores(&d->statue, 1, SKY, to);
 }
 
+/* The batch against the loop, and both against what arithmetic alone would take. */
+static void write_limits(const study *d, FILE *to) {
+    static const char *const terms[TERMS] = { "DD + DS + SS", "DD" };
+    const double points = d->shapes.shining.mesh.point_count;
+    int k, b;
+    fprintf(
+        to,
+        "\nOne call of `prt_vo_shade_n` for all vertices against `prt_vo_shade` for each, 8 lights: %.0f against %.0f "
+        "ns a vertex with all terms, **%.2f times as fast**; %.0f against %.0f with DD, %.2f times as fast (target: "
+        "4).\n\nThe arithmetic limit: additions, multiplications and divisions of the formulas, counted in "
+        "`bench/vo_operations.h`, over the rate at which the same build multiplies and adds on vectors without "
+        "waiting, measured in the same run. *Waiting*: points side by side wait for the one that has most "
+        "occluders. Sine law, 8 lights.\n\n"
+        "| build | points side by side | terms | operations a point, occluder and light | operations a vertex | ns a "
+        "vertex | ns at %s | peak, 10^9/s | times the limit | of it waiting |\n"
+        "|---|---:|---|---:|---:|---:|---:|---:|---:|---:|\n",
+        1e9 * d->forms[0].seconds[0] / points, 1e9 * d->forms[0].loop / points,
+        d->forms[0].loop / d->forms[0].seconds[0], 1e9 * d->forms[1].seconds[0] / points,
+        1e9 * d->forms[1].loop / points, d->forms[1].loop / d->forms[1].seconds[0], "the peak");
+    for (b = 0; b < BUILDS; b++) {
+        for (k = 0; k < TERMS; k++) {
+            const limit *l = &d->forms[k].limits[b];
+            double least = l->operations / l->rate;
+            fprintf(to, "| `%s` | %d | %s | %.0f | %.0f | %.1f | %.1f | %.1f | %.2f | %.2f |\n", l->flags, l->lanes,
+                    terms[k], l->both, l->operations / points, 1e9 * l->seconds / points, 1e9 * least / points,
+                    1e-9 * l->rate, l->seconds / least, (l->operations + l->carried) / l->operations);
+        }
+    }
+}
+
+/* Shading from each form. */
+static void write_forms(const study *d, FILE *to) {
+    static const char *const names[FORMS] = { "plain", "indexed", "packed" };
+    const double points = d->shapes.shining.mesh.point_count;
+    const form_times *all = &d->forms[0], *dd = &d->forms[1];
+    int k;
+    fprintf(to, "\nShading from them, 8 lights, ns a vertex, and the difference (root mean square, relative):\n\n"
+                "| form | all terms | differs | VO/DD | differs |\n|---|---:|---:|---:|---:|\n");
+    for (k = 0; k < FORMS; k++)
+        fprintf(to, "| %s | %.0f | %.1e | %.0f | %.1e |\n", names[k], 1e9 * all->seconds[k] / points, all->differs[k],
+                1e9 * dd->seconds[k] / points, dd->differs[k]);
+}
+
 static void write_decay(const study *d, FILE *to) {
     const double points = d->shapes.shining.mesh.point_count;
     int how, set;
@@ -354,44 +394,40 @@ static void write_decay(const study *d, FILE *to) {
         for (set = 0; set < SETS; set++) fprintf(to, " %.0f |", 1e9 * d->shapes.seconds[how][set] / points);
         fprintf(to, "\n");
     }
-    fprintf(
-        to,
-        "\nOne call of `prt_vo_shade_n` for all vertices against `prt_vo_shade` for each, 8 lights, all terms: %.0f "
-        "against %.0f ns a "
-        "vertex, **%.2f times as fast** (target: 4).\n",
-        1e9 * d->batch_seconds / points, 1e9 * d->loop_seconds / points, d->loop_seconds / d->batch_seconds);
+    write_limits(d, to);
 }
 
-static void write_size(FILE *to, const char *name, double bytes, double each, const char *thesis) {
-    const double points = 5013, index = 4;
-    fprintf(to, "| %s | %.0f | %.2f | %.2f | %s |\n", name, bytes, points * (index + each * bytes) / mebi,
-            points * (index + 5 * bytes) / mebi, thesis);
-}
+typedef struct storage_row { const char *name; prt_vo_form form; double limit; const char *thesis; } storage_row;
 
 static void write_storage(const study *d, FILE *to) {
+    static const storage_row rows[] = {
+        { "VO/DD, indexed: `prt_vo_indexed_diffuse`", PRT_VO_INDEXED_DIFFUSE, 1.03, "1.03" },
+        { "VO/DD, packed: `prt_vo_packed_diffuse`", PRT_VO_PACKED_DIFFUSE, 1.03 / 2, "" },
+        { "full set, indexed: `prt_vo_indexed`", PRT_VO_INDEXED, 2.05, "2.05" },
+        { "full set, packed: `prt_vo_packed`", PRT_VO_PACKED, 2.05 / 2, "" },
+        { "full set, plain: `prt_vo_occluder`", PRT_VO_PLAIN, 0, "" } };
     const techniques *t = &d->shapes.baked;
-    double points = t->scene->mesh.point_count, each = t->occluder_count / points;
+    const int points = 5013;
+    size_t k;
     fprintf(
         to,
-        "\n## Storage and packing\n\nAt the thesis' 5013 vertices, with an index of 4 bytes each: %.2f occluders a "
-        "vertex as baked here "
-        "(%d parts, %d occluders dropped), and 5.\nThe structure `prt_vo_occluder` holds all vectors and both form "
-        "factors; *read* is what "
-        "the technique needs of it.\n\n| | bytes an occluder | MiB at %.2f a vertex | MiB at 5 a vertex | thesis "
-        "|\n|---|---:|---:|---:|---:|\n",
-        each, t->scene->part_count, t->dropped, each);
-    write_size(to, "VO/DD, read", 4.0 * numbers_of(TECHNIQUE_VO_DD), each, "1.03");
-    write_size(to, "VO/DD, `prt_vo_packed_diffuse`", sizeof(prt_vo_packed_diffuse), each, "");
-    write_size(to, "VO/DD+DS+SS, read", 4.0 * numbers_of(TECHNIQUE_VO), each, "2.05");
-    write_size(to, "everything, `prt_vo_occluder`", sizeof(prt_vo_occluder), each, "");
-    write_size(to, "everything, `prt_vo_packed`", sizeof(prt_vo_packed), each, "");
-    fprintf(
-        to,
-        "\nShading from packed occluders, 8 lights, all vertices: %.0f ns a vertex and a difference of %.2f %% (all "
-        "terms; unpacked %.0f ns), "
-        "%.0f ns and %.2f %% (VO/DD; %.0f ns).\n",
-        1e9 * d->packed_seconds / points, 100 * d->packed_differs, 1e9 * d->batch_seconds / points,
-        1e9 * d->packed_diffuse_seconds / points, 100 * d->packed_diffuse_differs, 1e9 * d->diffuse_seconds / points);
+        "\n## Storage\n\nAt the thesis' %d vertices with 5 occluders each, and with those that a vertex sees here "
+        "(%.2f in the mean; %d dropped). Bytes as `prt_vo_size` counts them: occluders, an index of 4 bytes a vertex, "
+        "a table of %d materials. The thesis' MB are 2^20 bytes: its 67,244 vectors of 16 bytes are %.2f of them.\n\n"
+        "| | bytes an occluder | MiB, seen here | MiB, 5 each | MB (10^6), 5 each | limit | thesis |\n"
+        "|---|---:|---:|---:|---:|---:|---:|\n",
+        points, t->occluder_count / (double)t->scene->mesh.point_count, t->dropped, t->material_count,
+        67244 * 16 / mebi);
+    for (k = 0; k < sizeof rows / sizeof *rows; k++) {
+        double each = (double)(prt_vo_size(rows[k].form, 0, 1, 0) - prt_vo_size(rows[k].form, 0, 0, 0));
+        double here = (double)prt_vo_size(rows[k].form, t->scene->mesh.point_count, t->occluder_count,
+                                          t->material_count);
+        double full = (double)prt_vo_size(rows[k].form, points, 5 * points, t->material_count);
+        fprintf(to, "| %s | %.0f | %.2f | %.3f | %.3f | ", rows[k].name, each, here / mebi, full / mebi, full / mega);
+        if (rows[k].limit > 0) fprintf(to, "%.3f", rows[k].limit);
+        fprintf(to, " | %s |\n", rows[k].thesis);
+    }
+    write_forms(d, to);
 }
 
 static void write_law_row(FILE *to, const char *name, const shadow_error *e) {

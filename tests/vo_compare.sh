@@ -50,16 +50,18 @@ grep -q '^reference: shapes' stderr && fail "a kept reference was traced again"
 errors() { sed -n '/^## Error by number/,/^## Figure/p' "$1"; }
 [ "$(errors first/vo.md)" = "$(errors second/vo.md)" ] || fail "figures differ from the kept reference's"
 
-# Interrupted in the reference: a message, status 130, a file that the next run takes up.
-rm -rf kept
-"$program" "${small[@]}" --size 200 --paths 4096 --out third --keep kept >stdout 2>stderr & pid=$!
-for _ in $(seq 100); do [ -d kept ] && break; sleep 0.1; done
-sleep 2
-kill -INT $pid 2>/dev/null
-wait $pid
-[ $? = 130 ] || fail "an interrupted run ends with status 130"
-grep -q '^vo_compare: .*interrupted' stderr || { fail "an interrupted run says so"; tail -2 stderr; }
-ls kept/*.paths >/dev/null 2>&1 || fail "an interrupted run keeps what it has"
+# Stopped in the reference, either way: a message, status 130, a file that the next run takes up.
+for signal in INT TERM; do
+    rm -rf kept
+    "$program" "${small[@]}" --size 200 --paths 4096 --out third --keep kept >stdout 2>stderr & pid=$!
+    for _ in $(seq 100); do ls kept/*.paths >/dev/null 2>&1 && break; grep -q '^reference' stderr && break; sleep 0.1; done
+    sleep 1
+    kill -$signal $pid 2>/dev/null
+    wait $pid
+    [ $? = 130 ] || fail "a run that SIG$signal stops ends with status 130"
+    grep -q '^vo_compare: .*interrupted' stderr || { fail "a run that SIG$signal stops says so"; tail -2 stderr; }
+    ls kept/*.paths >/dev/null 2>&1 || fail "a run that SIG$signal stops keeps what it has"
+done
 
 [ $failures = 0 ] && echo "vo_compare: bad input, small runs, interruption: passed"
 exit $((failures > 0))

@@ -13,6 +13,7 @@ const char *const technique_names[TECHNIQUE_COUNT] = {
     "Phong", "AO", "VO/DD", "VO/DD, cap law", "VO/DD+DS+SS", "VO/DD+DS+SS, cap law", "SH3", "SH6", "CH3", "CH6"
 };
 
+enum { DIFFUSE = PRT_VO_NO_CAUSTIC | PRT_VO_NO_DS | PRT_VO_NO_SS };
 enum { EVERYTHING = PRT_VO_NO_SHADOW | PRT_VO_NO_CAUSTIC | PRT_VO_NO_DD | PRT_VO_NO_DS | PRT_VO_NO_SS };
 
 /* ---- setting up ---- */
@@ -146,6 +147,8 @@ void techniques_free(techniques *t) {
     free(t->rows);
     free(t->first);
     free(t->occluders);
+    free(t->indexed);
+    free(t->indexed_diffuse);
     free(t->groups);
     for (k = 0; k < TECHNIQUES_SH; k++) {
         free(t->transfer[k]);
@@ -204,6 +207,25 @@ static int bake_occluders(void *user, void *own, int first, int count) {
                        t->occluders) != PRT_OK;
 }
 
+/* The forms that shading reads: colours are those of the parts. */
+static int index_occluders(techniques *t, why *w) {
+    int opaque = (prt_vo_unneeded(t->scene->part_count, t->objects) & PRT_VO_NO_CAUSTIC) != 0;
+    t->material_count = t->material_count_diffuse = 0;
+    t->indexed = (prt_vo_indexed *)malloc((size_t)t->occluder_count * sizeof *t->indexed + 1);
+    t->indexed_diffuse = (prt_vo_indexed_diffuse *)malloc((size_t)t->occluder_count * sizeof *t->indexed_diffuse + 1);
+    if (!t->indexed || !t->indexed_diffuse) return why_set(w, "out of memory for occluders");
+    if (prt_vo_index(t->occluder_count, t->occluders, SCENE_PARTS, t->materials, &t->material_count, t->indexed) !=
+            PRT_OK ||
+        (opaque && prt_vo_index_diffuse(t->occluder_count, t->occluders, SCENE_PARTS, t->materials_diffuse,
+                                        &t->material_count_diffuse, t->indexed_diffuse) != PRT_OK))
+        return why_set(w, "the occluders have more colours than parts");
+    if (!opaque) {
+        free(t->indexed_diffuse);
+        t->indexed_diffuse = NULL;
+    }
+    return 0;
+}
+
 static int bake_vo(techniques *t, why *w) {
     int points = t->scene->mesh.point_count, k;
     if (run_job(t, "bake: ambient occlusion", bake_open, t, &t->ao_seconds, w)) return -1;
@@ -220,7 +242,7 @@ static int bake_vo(techniques *t, why *w) {
     if (prt_vo_compact(t->most_occluders, points, t->rows, t->occluders, t->first) != PRT_OK)
         return why_set(w, "the occluders do not fit into one array");
     t->occluder_count = t->first[points];
-    return 0;
+    return index_occluders(t, w);
 }
 
 /* The second pass of transfer: what the parts that a vertex sees send on, of their own transfer without bounce. */
@@ -396,11 +418,16 @@ static int shade_vo(const techniques *t, technique which, prt_vec3 eye, int ligh
     prt_vo_params p = params_of(which);
     int points = t->scene->mesh.point_count, k, alone = p.off == EVERYTHING;
     int *nobody = alone ? (int *)calloc((size_t)points + 1, sizeof *nobody) : NULL;
+    const int *first = alone ? nobody : t->first;
+    const prt_vo_point *at = t->matte ? t->matte_points : t->points;
     prt_result result;
     if (alone && !nobody) return why_set(w, "out of memory");
     p.off |= prt_vo_unneeded(t->scene->part_count, t->objects) | (t->matte ? PRT_VO_NO_DS | PRT_VO_NO_SS : 0);
-    result = prt_vo_shade_n(&p, points, t->matte ? t->matte_points : t->points, eye, alone ? nobody : t->first,
-                            t->occluders, light_count, lights, out);
+    result = (p.off & DIFFUSE) == DIFFUSE && t->indexed_diffuse
+                 ? prt_vo_shade_indexed_diffuse_n(&p, points, at, eye, first, t->material_count_diffuse,
+                                                  t->materials_diffuse, t->indexed_diffuse, light_count, lights, out)
+                 : prt_vo_shade_indexed_n(&p, points, at, eye, first, t->material_count, t->materials, t->indexed,
+                                          light_count, lights, out);
     for (k = 0; k < points && which == TECHNIQUE_AO; k++) out[k] = rgb_scale(out[k], (double)t->open[k]);
     free(nobody);
     return result == PRT_OK ? 0 : why_set(w, "shading: %s", prt_result_string(result));

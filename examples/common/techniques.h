@@ -44,6 +44,10 @@ typedef struct techniques {
     prt_vo_row      *rows;
     int             *first;            /* occluders of vertex k: first[k] ... first[k+1]-1 */
     prt_vo_occluder *occluders;
+    prt_vo_indexed  *indexed;          /* the same, as they are kept: for VO/DD+DS+SS and for VO/DD */
+    prt_vo_indexed_diffuse *indexed_diffuse;               /* NULL where something is transmissive */
+    prt_vo_material materials[SCENE_PARTS], materials_diffuse[SCENE_PARTS];
+    int             material_count, material_count_diffuse;
     prt_real        *transfer[TECHNIQUES_SH], *moments[TECHNIQUES_SH];   /* [points][3][bands^2], one bounce in it */
     double          ao_seconds, vo_seconds, vo_dd_seconds;
     double          sh_seconds[TECHNIQUES_SH][TECHNIQUES_PASSES], ch_seconds[TECHNIQUES_SH];
