@@ -149,10 +149,11 @@ static int prepare(study *d, why *w) {
         image_load_environment(d->o.environment, &d->sky, w))
         return -1;
     if (scene_shapes(d->o.fineness, &d->shapes.shining, w) || scene_ball(d->o.fineness, &d->ball.shining, w) ||
-        scene_glass(d->o.fineness, &d->glass.shining, w) ||
+        scene_glass(d->o.fineness, &d->glass.shining, w) || scene_pool(d->o.fineness, &d->pool.shining, w) ||
         scene_statue(d->o.mesh, d->o.up, 34, &d->statue.shining, w)) return -1;
     return set_up(d, &d->shapes, "shapes", eye, 1, w) || set_up(d, &d->statue, "statue", at_statue, 1, w) ||
-           set_up(d, &d->ball, "ball", low, 0, w) || set_up(d, &d->glass, "glass", low, 0, w) ? -1 : 0;
+           set_up(d, &d->ball, "ball", low, 0, w) || set_up(d, &d->glass, "glass", low, 0, w) ||
+           set_up(d, &d->pool, "pool", low, 0, w) ? -1 : 0;
 }
 
 static int run(study *d, why *w) {
@@ -162,7 +163,7 @@ static int run(study *d, why *w) {
     for (matte = 1; matte >= 0; matte--)
         if (measure(d, &d->shapes, matte, AROUND, w) || measure(d, &d->shapes, matte, SKY, w)) return -1;
     if (measure(d, &d->statue, 1, SKY, w) || study_laws(d, w) || study_ball(d, w) || study_glass(d, w) ||
-        study_splits(d, w) || study_lights(d, w))
+        study_splits(d, w) || study_lights(d, w) || study_savings(d, w) || study_waves(d, w) || study_drain(d, w))
         return -1;
     return write_pictures(d, w) || write_plots(d, w) || write_page(d, w) ? -1 : 0;
 }
@@ -219,6 +220,7 @@ int main(int count, char **words) {
     stage_free(&d.statue);
     stage_free(&d.ball);
     stage_free(&d.glass);
+    stage_free(&d.pool);
     image_free(&d.sky);
     return failed ? interrupted ? STOPPED : 1 : 0;
 }

@@ -47,14 +47,17 @@ typedef struct stage {                 /* one scene with everything about it */
     double        seconds[TECHNIQUE_COUNT][SETS];          /* of shading all vertices, shining, lights around */
 } stage;
 
-enum { LIGHT_SIZES = 4, STRENGTHS = 8, CAPS = 6, LAWS = 4, SKY_COUNTS = 8, SKY_TRUTH = PATH_LIGHTS };
-static const double light_sizes[LIGHT_SIZES] = { 0, 5, 15, 30 };       /* radii, degrees */
+enum { LIGHT_CASES = 8, STRENGTHS = 8, CAPS = 6, LAWS = 4, SKY_COUNTS = 8, SKY_TRUTH = PATH_LIGHTS };
+/* Lights that laws are judged by: radius in degrees; distance in radii of the scene, 0: far away. */
+static const struct { double size, reach; } light_cases[LIGHT_CASES] = {
+    { 0, 0 }, { 5, 0 }, { 15, 0 }, { 30, 0 }, { 0, 2 }, { 0, 1 }, { 0, 0.5 }, { 0, 0.25 }
+};
 static const double strengths[STRENGTHS] = { 0.5, 1, 1.5, 2, 3, 4, 5.5, 8 },
                     cap_angles[CAPS] = { 1, 5, 10, 20, 30, 45 };
 static const int sky_counts[SKY_COUNTS] = { 1, 2, 4, 8, 16, 32, 64, SKY_TRUTH };
 
 typedef struct law_study {
-    shadow_error none[LIGHT_SIZES], ao[LIGHT_SIZES], sine[STRENGTHS][LIGHT_SIZES], cap[CAPS][LIGHT_SIZES];
+    shadow_error none[LIGHT_CASES], ao[LIGHT_CASES], sine[STRENGTHS][LIGHT_CASES], cap[CAPS][LIGHT_CASES];
 } law_study;
 
 enum { SPLITS = 6 };
@@ -64,6 +67,26 @@ typedef struct split_study {
     int          occluders;            /* of the scene */
     double       seen, bake_seconds, seconds;              /* seen: a vertex, mean; seconds: VO/DD, cap law, 8 lights */
 } split_study;
+
+/* The strongest `keep` occluders of a vertex alone: of the shapes, one for each part, and cut into COUNTED. */
+enum { KEEPS = 7, CUTS = 2, COUNTED = 48 };
+static const int keeps[CUTS][KEEPS] = { { 0, 1, 2, 3, 4, 5, 6 }, { 1, 2, 4, 8, 12, 20, COUNTED } };
+typedef struct keep_study {
+    double       seen, seconds;        /* seen: a vertex, mean; seconds: VO/DD, cap law, 8 lights */
+    shadow_error sine, cap;            /* shadow factors, point light: N = 1.5; light of 5 degrees */
+    score        by_sine, by_cap;      /* pictures, 8 lights */
+} keep_study;
+
+/* What leaving out saves, under 8 lights. */
+enum { SAVINGS = 6 };
+typedef struct saving {
+    double bake_seconds, seconds, differs;                 /* pass 2; shading; from everything, relative */
+    double bytes;                      /* a vertex, in the smallest form that holds the rest */
+} saving;
+
+enum { FRAMES = 4, DRAINS = 4 };
+static const double frame_times[FRAMES] = { 0, 0.4, 0.8, 1.2 }, drains[DRAINS] = { 1, 0, -1, -3 };
+typedef struct effect { double mean, differs; } effect;    /* of the picture: radiance and change, relative to the first */
 
 /* Shading all vertices of the shapes under 8 lights from each form, [0] with all terms, [1] VO/DD. */
 enum { FORMS = 3, TERMS = 2, BUILDS = 2 };
@@ -78,7 +101,11 @@ typedef struct study {
     volatile sig_atomic_t *stop;       /* becomes nonzero: give up */
     options   o;
     split_study splits[SPLITS];
-    stage     shapes, statue, ball, glass;
+    stage     shapes, statue, ball, glass, pool;
+    keep_study keeps[CUTS][KEEPS];
+    saving    savings[SAVINGS];
+    effect    waves[FRAMES], drained[DRAINS];
+    double    bend_seconds, pool_seconds;                  /* of all vertices of the pool: bending, and shading */
     law_study laws;
     image     sky;
     score     ball_scores[LAWS], glass_scores[LAWS];
@@ -120,6 +147,8 @@ void compare_ch(study *d);
 /* vo_compare_forms.c */
 
 int  time_forms(study *d, why *w);
+/* Root mean square of a - b relative to that of b. */
+double difference(int count, const prt_rgb *a, const prt_rgb *b);
 
 /* vo_compare_studies.c */
 
@@ -129,7 +158,16 @@ int  study_laws(study *d, why *w);
 int  study_ball(study *d, why *w);
 int  study_glass(study *d, why *w);
 int  study_splits(study *d, why *w);
+/* One row of pictures, shown as bright as the first. */
+int  write_row(const study *d, const char *title, const char *row, const char *file, int columns,
+               const char *const *heads, picture *pictures, sheet_cell *cells, why *w);
 int  study_lights(study *d, why *w);
+
+/* vo_compare_effects.c */
+
+int  study_waves(study *d, why *w);
+int  study_drain(study *d, why *w);
+int  study_savings(study *d, why *w);
 
 /* vo_compare_page.c */
 

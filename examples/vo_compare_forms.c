@@ -54,8 +54,7 @@ static void shade_packed(const shading *s, prt_rgb *out) {
                               s->lights, out);
 }
 
-/* Root mean square of a - b relative to that of b. */
-static double difference(int count, const prt_rgb *a, const prt_rgb *b) {
+double difference(int count, const prt_rgb *a, const prt_rgb *b) {
     double square = 0, all = 0;
     int k;
     for (k = 0; k < count; k++) {

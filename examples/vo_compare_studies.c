@@ -29,17 +29,17 @@ prt_vo_params cap_law(double degrees) {
     return p;
 }
 
-/* Every law against one size of light; the progress line counts laws. */
-static void judge_laws(study *d, int size, const shadow_truth *traced, progress *p) {
+/* Every law against one kind of light; the progress line counts laws. */
+static void judge_laws(study *d, int which, const shadow_truth *traced, progress *p) {
     law_study *l = &d->laws;
     int k;
-    l->none[size] = shadow_law_error(&d->shapes.baked, traced, NULL);
-    l->ao[size] = shadow_ao_error(&d->shapes.baked, traced);
+    l->none[which] = shadow_law_error(&d->shapes.baked, traced, NULL);
+    l->ao[which] = shadow_ao_error(&d->shapes.baked, traced);
     for (k = 0; k < STRENGTHS + CAPS && !*d->stop; k++) {
         prt_vo_params law = k < STRENGTHS ? sine_law(strengths[k]) : cap_law(cap_angles[k - STRENGTHS]);
         shadow_error e = shadow_law_error(&d->shapes.baked, traced, &law);
-        if (k < STRENGTHS) l->sine[k][size] = e; else l->cap[k - STRENGTHS][size] = e;
-        progress_show(p, size * (STRENGTHS + CAPS) + k + 1);
+        if (k < STRENGTHS) l->sine[k][which] = e; else l->cap[k - STRENGTHS][which] = e;
+        progress_show(p, which * (STRENGTHS + CAPS) + k + 1);
     }
 }
 
@@ -47,16 +47,17 @@ int study_laws(study *d, why *w) {
     double laws = STRENGTHS + CAPS;
     progress p;
     int a;
-    progress_start(&p, "shadow laws: factors", LIGHT_SIZES * laws, 0, "factors",
+    progress_start(&p, "shadow laws: factors", LIGHT_CASES * laws, 0, "factors",
                    (double)d->shapes.shining.mesh.point_count * d->o.directions);
-    for (a = 0; a < LIGHT_SIZES; a++) {
+    for (a = 0; a < LIGHT_CASES; a++) {
         shadow_truth traced;
-        int failed = shadow_truth_trace(&d->shapes.baked, d->o.directions, light_sizes[a] * degree, &traced, w);
+        int failed = shadow_truth_trace(&d->shapes.baked, d->o.directions, light_cases[a].size * degree,
+                                        light_cases[a].reach * (double)d->shapes.shining.mesh.report.radius, &traced, w);
         if (!failed) judge_laws(d, a, &traced, &p);
         shadow_truth_free(&traced);
         if (failed) return -1;
     }
-    progress_end(&p, LIGHT_SIZES * laws);
+    progress_end(&p, LIGHT_CASES * laws);
     return *d->stop ? why_set(w, "interrupted") : 0;
 }
 
@@ -71,21 +72,35 @@ static int paint_law(stage *s, const prt_vo_params *law, const prt_point_light *
     return failed ? why_set(w, "%s cannot be painted", s->name) : 0;
 }
 
+int write_row(const study *d, const char *title, const char *row, const char *file, int columns,
+              const char *const *heads, picture *pictures, sheet_cell *cells, why *w) {
+    double exposure = picture_exposure(&pictures[0]);
+    contact_sheet sheet;
+    char path[1024];
+    int k;
+    memset(&sheet, 0, sizeof sheet);
+    for (k = 0; k < columns; k++) cells[k].shown = &pictures[k];
+    sheet.title = title;
+    sheet.rows = 1; sheet.columns = columns; sheet.per_pixel = SAMPLES_A_PIXEL;
+    sheet.width = sheet.height = d->o.size;
+    sheet.heads = heads; sheet.names = &row; sheet.exposures = &exposure; sheet.cells = cells;
+    snprintf(path, sizeof path, "%s/gallery/%s", d->o.out, file);
+    if (contact_sheet_write(&sheet, path, w)) return -1;
+    printf("%s\n", path);
+    return 0;
+}
+
 /* A scene under its one light, traced and by each law: one row. */
 static int study_one_light(const study *d, stage *s, int paths, int photons, const prt_vo_params *laws,
                            const char *const *heads, const char *title, const char *row, const char *file,
                            score *scores, double *noise, why *w) {
     picture pictures[LAWS + 1], halves[PATH_HALVES];
     sheet_cell cells[LAWS + 1];
-    contact_sheet sheet;
     truth *t = &s->truths[1][AROUND];
-    char path[1024];
-    double exposure;
     int k, failed;
     memset(pictures, 0, sizeof pictures);
     memset(halves, 0, sizeof halves);
     memset(cells, 0, sizeof cells);
-    memset(&sheet, 0, sizeof sheet);
     t->lights = &s->rigs[AROUND];
     failed = trace_some(d, s, 1, t->lights, "pixels", s->seen.width * s->seen.height, s->pixel_queries, paths, photons,
                         t->pixels, w) ||
@@ -98,18 +113,10 @@ static int study_one_light(const study *d, stage *s, int paths, int photons, con
         caption(&cells[k + 1], &scores[k]);
     }
     *noise = failed ? 0 : 0.5 * reference_error(&halves[0], &halves[0], &halves[1], &halves[1], SAMPLES_A_PIXEL, whole);
-    for (k = 0; k <= LAWS; k++) cells[k].shown = &pictures[k];
-    exposure = failed ? 1 : picture_exposure(&pictures[0]);
-    sheet.title = title;
-    sheet.rows = 1; sheet.columns = LAWS + 1; sheet.per_pixel = SAMPLES_A_PIXEL;
-    sheet.width = sheet.height = d->o.size;
-    sheet.heads = heads; sheet.names = &row; sheet.exposures = &exposure; sheet.cells = cells;
-    snprintf(path, sizeof path, "%s/gallery/%s", d->o.out, file);
-    if (!failed) failed = contact_sheet_write(&sheet, path, w);
+    if (!failed) failed = write_row(d, title, row, file, LAWS + 1, heads, pictures, cells, w);
     for (k = 0; k <= LAWS; k++) picture_free(&pictures[k]);
     picture_free(&halves[0]);
     picture_free(&halves[1]);
-    if (!failed) printf("%s\n", path);
     return failed ? -1 : 0;
 }
 
@@ -153,6 +160,75 @@ int study_glass(study *d, why *w) {
                            d->glass_scores, &d->glass_noise, w);
 }
 
+/* ---- how many occluders a vertex ---- */
+
+/* t with the strongest `most` occluders of each vertex alone: rows are in order of falling form factor. */
+static int keep_strongest(const techniques *t, int most, techniques *to, why *w) {
+    int points = t->scene->mesh.point_count, k;
+    *to = *t;
+    to->first = (int *)malloc(((size_t)points + 1) * sizeof *to->first);
+    to->occluders = (prt_vo_occluder *)malloc((size_t)t->occluder_count * sizeof *to->occluders + 1);
+    if (!to->first || !to->occluders) return why_set(w, "out of memory for occluders");
+    to->first[0] = 0;
+    for (k = 0; k < points; k++) {
+        int seen = t->first[k + 1] - t->first[k], kept = seen < most ? seen : most;
+        memcpy(to->occluders + to->first[k], t->occluders + t->first[k], (size_t)kept * sizeof *to->occluders);
+        to->first[k + 1] = to->first[k] + kept;
+    }
+    to->occluder_count = to->first[points];
+    return 0;
+}
+
+/* The shapes under 8 lights by a law, as a picture and its score. */
+static int score_law(study *d, const techniques *t, const prt_vo_params *law, score *to, double *seconds, why *w) {
+    stage *s = &d->shapes;
+    const truth *traced = &s->truths[1][AROUND];
+    prt_point_light lights[MOST_LIGHTS];
+    int count = lights_of(&s->rigs[AROUND], 3, lights), points = t->scene->mesh.point_count, run, k, failed;
+    prt_rgb *colors = (prt_rgb *)malloc((size_t)points * sizeof *colors);
+    picture halves[PATH_HALVES], mean, p;
+    memset(halves, 0, sizeof halves);
+    memset(&mean, 0, sizeof mean);
+    memset(&p, 0, sizeof p);
+    failed = !colors || paint_truth(s, traced, 3, 0, &halves[0], w) || paint_truth(s, traced, 3, 1, &halves[1], w) ||
+             paint_reference(s, 1, AROUND, 3, &mean, w);
+    for (run = 0; run < RUNS && !failed; run++) {
+        double now = processor_seconds();
+        failed = prt_vo_shade_n(law, points, t->matte_points, s->seen.eye.eye, t->first, t->occluders, count, lights,
+                                colors) != PRT_OK;
+        now = processor_seconds() - now;
+        if (run == 0 || now < *seconds) *seconds = now;
+    }
+    if (!failed) failed = view_paint(&s->seen, &s->shining, colors, background, &p, w);
+    if (!failed) *to = compare(&p, halves, &mean);
+    for (k = 0; k < PATH_HALVES; k++) picture_free(&halves[k]);
+    picture_free(&mean);
+    picture_free(&p);
+    free(colors);
+    return failed ? why_set(w, "the shapes cannot be painted") : 0;
+}
+
+static int study_keeps(study *d, int cut, const techniques *t, const shadow_truth *traced, why *w) {
+    prt_vo_params sine = sine_law(1.5), cap = cap_law(5);
+    int k, failed = 0;
+    sine.off = cap.off = PRT_VO_NO_CAUSTIC | PRT_VO_NO_DS | PRT_VO_NO_SS;
+    for (k = 0; k < KEEPS && !failed; k++) {
+        keep_study *to = &d->keeps[cut][k];
+        techniques few;
+        double unused;
+        failed = keep_strongest(t, keeps[cut][k], &few, w) || score_law(d, &few, &sine, &to->by_sine, &unused, w) ||
+                 score_law(d, &few, &cap, &to->by_cap, &to->seconds, w);
+        if (!failed) {
+            to->seen = (double)few.occluder_count / few.scene->mesh.point_count;
+            to->sine = shadow_law_error(&few, traced, &sine);
+            to->cap = shadow_law_error(&few, traced, &cap);
+        }
+        free(few.first);
+        free(few.occluders);
+    }
+    return failed;
+}
+
 /* ---- splitting ---- */
 
 /* The shapes cut into more and more occluders: shadows against traced ones, what it costs. */
@@ -174,7 +250,7 @@ static int study_split(study *d, int which, why *w) {
     t.stop = d->stop;
     out = (prt_rgb *)malloc((size_t)t.scene->mesh.point_count * sizeof *out);
     memset(&traced, 0, sizeof traced);
-    failed = !out || techniques_bake(&t, w) || shadow_truth_trace(&t, d->o.directions, 0, &traced, w);
+    failed = !out || techniques_bake(&t, w) || shadow_truth_trace(&t, d->o.directions, 0, 0, &traced, w);
     if (!failed) {
         law = sine_law(1.5);
         p->sine = shadow_law_error(&t, &traced, &law);
@@ -194,6 +270,8 @@ static int study_split(study *d, int which, why *w) {
             if (run == 0 || seconds < p->seconds) p->seconds = seconds;
         }
     }
+    if (!failed && (which == 0 || split_counts[which] == COUNTED))
+        failed = study_keeps(d, which > 0, &t, &traced, w) || (*d->stop && why_set(w, "interrupted"));
     shadow_truth_free(&traced);
     techniques_free(&t);
     free(out);

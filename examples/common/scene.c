@@ -206,6 +206,23 @@ static void add_platform(builder *b, int cells, double half, double thickness) {
     }
 }
 
+/* A closed box; a sheet with its normal outwards for each side. */
+static void add_box(builder *b, const double low[3], const double high[3]) {
+    int axis, side, k;
+    for (axis = 0; axis < 3; axis++) {
+        for (side = 0; side < 2; side++) {
+            int u = (axis + 1 + side) % 3, v = (axis + 2 - side) % 3;
+            quad q;
+            memset(&q, 0, sizeof q);
+            for (k = 0; k < 3; k++) q.corner[k] = low[k];
+            q.corner[axis] = side ? low[axis] : high[axis];
+            q.u[u] = high[u] - low[u];
+            q.v[v] = high[v] - low[v];
+            add_sheet(b, 3, 3, 0, quad_form, &q);
+        }
+    }
+}
+
 static material matter(double r, double g, double blue, double shine, double shininess) {
     material m;
     memset(&m, 0, sizeof m);
@@ -311,6 +328,25 @@ int scene_glass(double fineness, scene *s, why *w) {
 }
 
 /* Turns the axis that points upwards to +z. */
+int scene_pool(double fineness, scene *s, why *w) {
+    static const double low[3] = { -6, -6, 5 }, high[3] = { 6, 6, 5.4 };
+    const ball pearl = { { -0.5, -0.2, 0.45 }, 0.45 }, red = { { 0.9, 0.5, 0.3 }, 0.3 };
+    material water = glass(0.9, 0.92, 0.95);
+    builder b;
+    memset(&b, 0, sizeof b);
+    memset(s, 0, sizeof *s);
+    water.index = (prt_real)1.333;
+    add_ball(&b, fineness, 48, 24, &pearl);
+    end_part(s, &b, "pearl", matter(0.03, 0.03, 0.03, 0.4, 24));
+    add_ball(&b, fineness, 36, 18, &red);
+    end_part(s, &b, "red ball", matter(0.75, 0.12, 0.08, 0.15, 24));
+    add_platform(&b, strips(fineness, 110), 2.1, 0.15);
+    end_part(s, &b, "floor", matter(0.6, 0.55, 0.42, 0.1, 24));
+    add_box(&b, low, high);
+    end_part(s, &b, "water", water);
+    return finish(&b, s, w);
+}
+
 static prt_vec3 turn_upright(prt_vec3 v, const char *up) {
     double x = (double)v.x, y = (double)v.y, z = (double)v.z;
     if (*up == '-') return up[1] == 'x' ? vec(z, y, -x) : up[1] == 'y' ? vec(x, z, -y) : vec(x, -y, -z);

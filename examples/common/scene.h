@@ -40,6 +40,9 @@ int  scene_ball(double fineness, scene *s, why *w);
 /* A clear and a red ball of glass and a white one on a platform: what makes caustics. */
 int  scene_glass(double fineness, scene *s, why *w);
 
+/* The floor of a sea, with a black pearl and a red ball on it, under a slab of water. */
+int  scene_pool(double fineness, scene *s, why *w);
+
 /* A mesh of a file, standing on a platform of `strips` x `strips` squares; with four coloured balls around it. up:
    which axis of the file points upwards, "+x", "-x", "+y" ... */
 int  scene_statue(const char *path, const char *up, int strips, scene *s, why *w);

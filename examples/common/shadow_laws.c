@@ -43,7 +43,7 @@ static int trace_vertex(const tracing *g, int k) {
             rays[count].origin = vec_add(at->position, t->bias, at->normal);
             rays[count].dir = d;
             rays[count].tmin = 0;
-            rays[count].tmax = (prt_real)1e6;
+            rays[count].tmax = (prt_real)(to->reach > 0 ? to->reach : 1e6);
             blocked[count++] = 0;
         }
         if (count && t->tracer->tracer.occluded(t->tracer->tracer.user, count, rays, blocked)) return -1;
@@ -60,7 +60,7 @@ static int trace_range(void *user, void *own, int first, int count) {
     return 0;
 }
 
-int shadow_truth_trace(const techniques *t, int directions, double angle, shadow_truth *to, why *w) {
+int shadow_truth_trace(const techniques *t, int directions, double angle, double reach, shadow_truth *to, why *w) {
     size_t count = (size_t)t->scene->mesh.point_count * (size_t)directions;
     tracing g;
     parallel job;
@@ -68,6 +68,7 @@ int shadow_truth_trace(const techniques *t, int directions, double angle, shadow
     to->directions = directions;
     to->rays = angle > 0 ? RAYS : 1;
     to->angle = angle;
+    to->reach = reach;
     to->dirs = (prt_vec3 *)malloc(count * sizeof *to->dirs);
     to->share = (float *)malloc(count * sizeof *to->share);
     if (!to->dirs || !to->share) return why_set(w, "out of memory for shadows");

@@ -7,18 +7,18 @@
 typedef struct shadow_law { const char *name; prt_vo_params params; } shadow_law;
 
 /* Over the vertices of a scene and directions spread by cosine about their normals: each direction is the middle of a
-   round light of some angular radius. The truth is the share of the light that no surface hides (one ray for a light
-   without extent); a law gives the product of its factors. */
+   round light of some angular radius, so far away. The truth is the share of the light that no surface hides (one ray
+   for a light without extent); a law gives the product of its factors. */
 typedef struct shadow_truth {
     int           directions, rays;    /* a vertex; rays towards each light, 1 for a point */
-    double        angle;               /* radius of the light, radians */
+    double        angle, reach;        /* radius of the light, radians; how far it is, 0: very */
     prt_vec3      *dirs;               /* [points][directions] */
     float         *share;              /* [points][directions] */
 } shadow_truth;
 
 typedef struct shadow_error { double rms, bias; } shadow_error;    /* bias: mean factor less mean truth */
 
-int  shadow_truth_trace(const techniques *t, int directions, double angle, shadow_truth *to, why *w);
+int  shadow_truth_trace(const techniques *t, int directions, double angle, double reach, shadow_truth *to, why *w);
 void shadow_truth_free(shadow_truth *t);
 
 /* A law against it; NULL: nothing hides anything. */

@@ -188,7 +188,7 @@ static prt_vo_desc vo_desc(const techniques *t) {
     d.object_count = t->scene->part_count;
     d.objects = t->objects;
     d.tracer = &t->tracer->tracer;
-    d.off = t->shining ? 0 : PRT_VO_NO_DS | PRT_VO_NO_SS;
+    d.off = t->off | (t->shining ? 0 : PRT_VO_NO_DS | PRT_VO_NO_SS);
     return d;
 }
 

@@ -32,6 +32,7 @@ typedef struct techniques {
     int                 occluders_wanted;                  /* cut into so many in all, by area; 0: one a part */
     prt_real            bias;
     int                 shining;       /* bake DS and SS too */
+    unsigned            off;           /* what else not to bake: PRT_VO_NO_... */
     int                 with_sh, with_time_of_dd;          /* with_time_of_dd: bake VO/DD once more for its time */
     int                 matte;         /* shade as if nothing shone; may change between calls of techniques_shade */
     volatile sig_atomic_t *stop;
