@@ -162,8 +162,9 @@ static int run(study *d, why *w) {
     compare_ch(d);
     for (matte = 1; matte >= 0; matte--)
         if (measure(d, &d->shapes, matte, AROUND, w) || measure(d, &d->shapes, matte, SKY, w)) return -1;
-    if (measure(d, &d->statue, 1, SKY, w) || study_laws(d, w) || study_ball(d, w) || study_glass(d, w) ||
-        study_splits(d, w) || study_lights(d, w) || study_savings(d, w) || study_waves(d, w) || study_drain(d, w))
+    if (measure(d, &d->statue, 1, SKY, w) || study_laws(d, w) || study_pictures(d, w) || study_ball(d, w) ||
+        study_glass(d, w) || study_splits(d, w) || study_lights(d, w) || study_savings(d, w) || study_waves(d, w) ||
+        study_drain(d, w))
         return -1;
     return write_pictures(d, w) || write_plots(d, w) || write_page(d, w) ? -1 : 0;
 }

@@ -68,6 +68,9 @@ typedef struct split_study {
     double       seen, bake_seconds, seconds;              /* seen: a vertex, mean; seconds: VO/DD, cap law, 8 lights */
 } split_study;
 
+/* Pictures by the laws, of scenes and lights that are traced anyway: N = 1.5 and 4, then cap_angles. */
+enum { PICTURED = 5, PICTURE_LAWS = 2 + CAPS };
+
 /* The strongest `keep` occluders of a vertex alone: of the shapes, one for each part, and cut into COUNTED. */
 enum { KEEPS = 7, CUTS = 2, COUNTED = 48 };
 static const int keeps[CUTS][KEEPS] = { { 0, 1, 2, 3, 4, 5, 6 }, { 1, 2, 4, 8, 12, 20, COUNTED } };
@@ -86,7 +89,8 @@ typedef struct saving {
 
 enum { FRAMES = 4, DRAINS = 4 };
 static const double frame_times[FRAMES] = { 0, 0.4, 0.8, 1.2 }, drains[DRAINS] = { 1, 0, -1, -3 };
-typedef struct effect { double mean, differs; } effect;    /* of the picture: radiance and change, relative to the first */
+static const double waves_a_unit = 7, waves_sharpness = 2; /* radians of a wave in a unit of the pool; c0 in degrees */
+typedef struct effect { double mean, differs; } effect;    /* radiance of a picture and change, relative to the first */
 
 /* Shading all vertices of the shapes under 8 lights from each form, [0] with all terms, [1] VO/DD. */
 enum { FORMS = 3, TERMS = 2, BUILDS = 2 };
@@ -107,6 +111,7 @@ typedef struct study {
     effect    waves[FRAMES], drained[DRAINS];
     double    bend_seconds, pool_seconds;                  /* of all vertices of the pool: bending, and shading */
     law_study laws;
+    score     pictured[PICTURE_LAWS][PICTURED];
     image     sky;
     score     ball_scores[LAWS], glass_scores[LAWS];
     double    sky_errors[SKY_COUNTS];
@@ -155,6 +160,7 @@ double difference(int count, const prt_rgb *a, const prt_rgb *b);
 prt_vo_params sine_law(double strength);
 prt_vo_params cap_law(double degrees);
 int  study_laws(study *d, why *w);
+int  study_pictures(study *d, why *w);
 int  study_ball(study *d, why *w);
 int  study_glass(study *d, why *w);
 int  study_splits(study *d, why *w);

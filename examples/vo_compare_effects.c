@@ -40,8 +40,6 @@ static void caption_effect(sheet_cell *cell, const effect *e, int first) {
 /* ---- waves ---- */
 
 enum { WAVES = 5 };
-static const double waves_a_unit = 7;  /* radians of a wave in a unit of the pool */
-
 /* Plane waves that run and push in different directions of the surface. */
 static void make_waves(prt_vo_wave *waves) {
     int k;
@@ -51,7 +49,7 @@ static void make_waves(prt_vo_wave *waves) {
         waves[k].along = vec(cos(angle), sin(angle), 0);
         waves[k].across = vec(0, 0, 1);
         waves[k].frequency = (prt_real)(2 + 0.7 * k);
-        waves[k].amplitude = (prt_real)(0.16 / (2 + 0.7 * k));
+        waves[k].amplitude = (prt_real)(0.07 / (2 + 0.7 * k));
         waves[k].phase = (prt_real)(1.3 * k);
     }
 }
@@ -77,10 +75,9 @@ int study_waves(study *d, why *w) {
     picture pictures[FRAMES + 1];
     sheet_cell cells[FRAMES + 1];
     prt_vo_wave waves[WAVES];
-    prt_vo_params params = cap_law(5);
+    prt_vo_params params = sine_law(1.5);
     prt_point_light light;
-    params.caustic_angle = (prt_real)(4 * degree);
-    params.caustic_strength = (prt_real)0.35;
+    params.caustic_angle = (prt_real)(waves_sharpness * degree);
     light.position = vec(0.6, -1.5, 12);
     light.color = rgb(1, 1, 0.95);
     make_waves(waves);

@@ -375,7 +375,8 @@ static void write_limits(const study *d, FILE *to) {
     int k, b;
     fprintf(
         to,
-        "\nOne call of `prt_vo_shade_n` for all vertices against `prt_vo_shade` for each, 8 lights: %.0f against %.0f "
+        "\nOne call of `prt_vo_shade_n` for all vertices against "
+        "`prt_vo_shade` for each, 8 lights: %.0f against %.0f "
         "ns a vertex with all terms, **%.2f times as fast**; %.0f against %.0f with DD, %.2f times as fast (target: "
         "4).\n\nThe arithmetic limit: additions, multiplications and divisions of the formulas, counted in "
         "`bench/vo_operations.h`, over the rate at which the same build multiplies and adds on vectors without "
@@ -444,7 +445,8 @@ static void write_storage(const study *d, FILE *to) {
     fprintf(
         to,
         "\n## Storage\n\nAt the thesis' %d vertices with 5 occluders each, and with those that a vertex sees here "
-        "(%.2f in the mean; %d dropped). Bytes as `prt_vo_size` counts them: occluders, an index of 4 bytes a vertex, "
+        "(%.2f in the mean; %d dropped). Bytes as `prt_vo_size` counts them: "
+        "occluders, an index of 4 bytes a vertex, "
         "a table of %d materials. The thesis' MB are 2^20 bytes: its 67,244 vectors of 16 bytes are %.2f of them.\n\n"
         "| | bytes an occluder | MiB, seen here | MiB, 5 each | MB (10^6), 5 each | limit | thesis |\n"
         "|---|---:|---:|---:|---:|---:|---:|\n",
@@ -459,10 +461,16 @@ static void write_storage(const study *d, FILE *to) {
         if (rows[k].limit > 0) fprintf(to, "%.3f", rows[k].limit);
         fprintf(to, " | %s |\n", rows[k].thesis);
     }
+    fprintf(to,
+            "\nLimits are the thesis' sizes and half of them, in its MB. In MB of "
+            "10^6 bytes they hold too, but for packed "
+            "VO/DD: its occluders alone take %.3f, with the index of vertices it is over.\n",
+            5.0 * points * (double)sizeof(prt_vo_packed_diffuse) / mega);
     write_forms(d, to);
 }
 
-static const char *const light_names[LIGHT_CASES] = { "far point", "5°", "15°", "30°", "at 2", "at 1", "at 1/2", "at 1/4" };
+static const char *const light_names[LIGHT_CASES] = { "far point", "5°",   "15°",    "30°",
+                                                      "at 2",      "at 1", "at 1/2", "at 1/4" };
 
 static void write_law_row(FILE *to, const char *name, const shadow_error *e) {
     int a;
@@ -492,6 +500,35 @@ static void compare_pictures(const stage *s, int matte, int which, technique sin
     }
 }
 
+/* Pictures by the laws, and what angle a light of the cap law should have. */
+static void write_pictured(const study *d, FILE *to) {
+    double mean[PICTURE_LAWS], ssim[PICTURE_LAWS];
+    int k, i, best = 2, alike = 2;
+    fprintf(to, "Pictures by the same laws, VO/DD, RMSE %% and SSIM:\n\n| law | "
+                "shapes, 1 light | 8 lights | 32 lights | "
+                "sky | statue, sky | mean |\n|---|---:|---:|---:|---:|---:|---:|\n");
+    for (k = 0; k < PICTURE_LAWS; k++) {
+        if (k < 2) fprintf(to, "| sine, N = %g |", k ? 4 : 1.5);
+        else fprintf(to, "| cap, light of %g° |", cap_angles[k - 2]);
+        for (i = 0, mean[k] = ssim[k] = 0; i < PICTURED; i++) {
+            const score *s = &d->pictured[k][i];
+            fprintf(to, " %.1f, %.3f |", 100 * s->rmse, s->ssim);
+            mean[k] += 100 * s->rmse / PICTURED;
+            ssim[k] += s->ssim / PICTURED;
+        }
+        fprintf(to, " %.1f, %.3f |\n", mean[k], ssim[k]);
+        if (k > 2 && mean[k] < mean[best]) best = k;
+        if (k > 2 && ssim[k] > ssim[alike]) alike = k;
+    }
+    fprintf(to,
+            "\nThe default of %g° is a compromise: in the mean %.1f %% and %.3f; "
+            "the least RMSE, %.1f %%, is that of %g°, "
+            "the best SSIM, %.3f, that of %g°. Wider lights err less in single "
+            "factors and lose the edges of shadows.\n",
+            cap_angles[STANDARD], mean[2 + STANDARD], ssim[2 + STANDARD], mean[best], cap_angles[best - 2], ssim[alike],
+            cap_angles[alike - 2]);
+}
+
 /* Which law is closer to the truth, in numbers. */
 static void write_verdict(const study *d, FILE *to) {
     const law_study *l = &d->laws;
@@ -510,22 +547,25 @@ static void write_verdict(const study *d, FILE *to) {
     compare_pictures(&d->shapes, 0, SKY, TECHNIQUE_VO, TECHNIQUE_VO_CAP, &all, &rmse, &ssim);
     compare_pictures(&d->statue, 1, SKY, TECHNIQUE_VO_DD, TECHNIQUE_VO_DD_CAP, &all, &rmse, &ssim);
     fprintf(to,
-            "\n**Which is closer to the truth:** the cap law at its default of %g° errs less than the thesis' N = %g with "
-            "%d of these %d lights, by %.0f to %.0f %% (negative: more), and less than the best N of each column with "
-            "%d. In the tables of errors above, pictures by the cap law are closer to the traced ones than by the sine "
-            "law in %d of %d (RMSE), %d of %d (SSIM).\n\nThe best parameter for each light: ",
-            cap_angles[STANDARD], strengths[THESIS], closer, LIGHT_CASES, 100 * least, 100 * most, closest, rmse, all, ssim,
-            all);
+            "\n**Which is closer to the truth:** the cap law at its default of %g° "
+            "errs less than the thesis' N = %g with "
+            "%d of these %d lights, by %.0f to %.0f %% (negative: more), and less "
+            "than the best N of each column with "
+            "%d. In the tables of errors above, pictures by the cap law are closer "
+            "to the traced ones than by the sine "
+            "law in %d of %d (RMSE), %d of %d (SSIM).\n\n",
+            cap_angles[STANDARD], strengths[THESIS], closer, LIGHT_CASES, 100 * least, 100 * most, closest, rmse, all,
+            ssim, all);
+    write_pictured(d, to);
+    fprintf(to, "\nThe best parameter for each light: ");
     for (k = 0; k < LIGHT_CASES; k++) {
         int n = best_of(STRENGTHS, l->sine, k), a = best_of(CAPS, l->cap, k);
-        fprintf(to, "%s%s N = %g (%.3f), cap %g° (%.3f)", k ? "; " : "", light_names[k], strengths[n], l->sine[n][k].rms,
-                cap_angles[a], l->cap[a][k].rms);
+        fprintf(to, "%s%s N = %g (%.3f), cap %g° (%.3f)", k ? "; " : "", light_names[k], strengths[n],
+                l->sine[n][k].rms, cap_angles[a], l->cap[a][k].rms);
     }
     fprintf(to,
-            ". A wider light of the cap law stands for what one cap does not know, where the occluder's edge is: the "
-            "default is narrower than the best for errors of single factors, since wide ones let light through that "
-            "nothing lets through (the second numbers), and shadows lose their edges. No law knows how far a light "
-            "is: of one that is nearer than what it would be hidden by, the shadow is wrong by any.\n");
+            ". No law knows how far a light is: of one nearer than what would hide it, the shadow is wrong by "
+            "any.\n");
 }
 
 static void write_laws(const study *d, FILE *to) {
@@ -581,11 +621,13 @@ static void write_keeps(const study *d, FILE *to) {
     fprintf(to,
             "\n## How many occluders a vertex\n\n![Error by bytes a vertex](plots/vo-occluders.svg)\n\nOf what a "
             "vertex sees the strongest K alone are kept (`max_occluders` of the bake); shapes under 8 lights, VO/DD. "
-            "RMSE %% and SSIM of pictures, root mean square error of the shadow factor of a far point light; sine law "
+            "RMSE %% and SSIM of pictures, root mean square error of the shadow "
+            "factor of a far point light; sine law "
             "of N = 1.5, cap law of 5°.\n");
     for (cut = 0; cut < CUTS; cut++) {
         fprintf(to,
-                "\nShapes, %s:\n\n| K | a vertex sees | ns a vertex | bytes a vertex, indexed | packed | picture, sine | "
+                "\nShapes, %s:\n\n| K | a vertex sees | ns a vertex | bytes a vertex, "
+                "indexed | packed | picture, sine | "
                 "picture, cap | factor, sine | factor, cap |\n|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n",
                 titles[cut]);
         for (k = 0; k < KEEPS; k++) {
@@ -606,10 +648,13 @@ static void write_savings(const study *d, FILE *to) {
     const double points = d->pool.shining.mesh.point_count;
     int k;
     fprintf(to,
-            "\n## What leaving out saves\n\nThe sea floor below, where everything occurs: %d vertices, 4 parts of which "
-            "one is transmissive and three shine; %d rays a vertex, 8 lights, cap law. `prt_vo_unneeded` tells what no "
+            "\n## What leaving out saves\n\nThe sea floor below, where everything "
+            "occurs: %d vertices, 4 parts of which "
+            "one is transmissive and three shine; %d rays a vertex, 8 lights, cap "
+            "law. `prt_vo_unneeded` tells what no "
             "part of a scene can cause, and bakes leave that out by themselves. Change: root mean square at the "
-            "vertices, relative to everything.\n\n| left out | bake, pass 2, s | ns a vertex | bytes a vertex, indexed "
+            "vertices, relative to everything.\n\n| left out | bake, pass 2, s | "
+            "ns a vertex | bytes a vertex, indexed "
             "| change |\n|---|---:|---:|---:|---:|\n",
             (int)points, few_rays(d));
     for (k = 0; k < SAVINGS; k++) {
@@ -623,19 +668,22 @@ static void write_effects(const study *d, FILE *to) {
     const double points = d->pool.shining.mesh.point_count;
     int k;
     fprintf(to,
-            "\n## Effects\n\n![Waves over the floor of a sea](gallery/vo-waves.jpg)\n\n`prt_vo_bend` turns occlusion and "
-            "caustic vectors as five trains of plane waves pass; nothing is baked anew. To use it: scale positions by "
-            "the waves' radians a unit (7 here), give each wave an axis along the surface and one across, bend all "
+            "\n## Effects\n\n![Waves over the floor of a "
+            "sea](gallery/vo-waves.jpg)\n\n`prt_vo_bend` turns occlusion and "
+            "caustic vectors as five trains of plane waves pass; nothing is baked "
+            "anew. To use it: scale positions by "
+            "the waves' radians a unit (%g here), give each wave an axis along the surface and one across, bend all "
             "occluders of a vertex into a second array, and shade that; `caustic_angle` sets how sharp the lines are "
-            "(4° here). Bending costs %.0f ns a vertex, shading %.0f (1 light). Change from still water, root mean "
+            "(%g° here). Bending costs %.0f ns a vertex, shading %.0f (1 light). Change from still water, root mean "
             "square: ",
-            1e9 * d->bend_seconds / points, 1e9 * d->pool_seconds / points);
+            waves_a_unit, waves_sharpness, 1e9 * d->bend_seconds / points, 1e9 * d->pool_seconds / points);
     for (k = 0; k < FRAMES; k++)
         fprintf(to, "%s%.0f %% at t = %g", k ? ", " : "", 100 * d->waves[k].differs, frame_times[k]);
     fprintf(to, "; the mean stays within %.0f %%.\n\n![Drained colour](gallery/vo-drain.jpg)\n\n",
             100 * fmax(fmax(fabs(d->waves[0].mean - 1), fabs(d->waves[1].mean - 1)),
                        fmax(fabs(d->waves[2].mean - 1), fabs(d->waves[3].mean - 1))));
-    fprintf(to, "`prt_vo_params.dd` below 0 takes light of its neighbours' colours from a place instead of sending it, "
+    fprintf(to, "`prt_vo_params.dd` below 0 takes light of its neighbours' colours "
+                "from a place instead of sending it, "
                 "never below black; no cost of its own. Mean radiance: ");
     for (k = 1; k < DRAINS; k++)
         fprintf(to, "%s%.1f %% at %g", k > 1 ? ", " : "", 100 * d->drained[k].mean, drains[k]);
@@ -661,6 +709,18 @@ static void write_splits(const study *d, FILE *to) {
                 4 + p->seen * (double)sizeof(prt_vo_packed_diffuse), p->sine.rms, p->sine.bias, p->strong.rms,
                 p->strong.bias, p->cap.rms, p->cap.bias, p->wide.rms, p->wide.bias);
     }
+    fprintf(to,
+            "\nFrom %d to %d occluders the error falls by %.0f %% (sine, N = 1.5), "
+            "%.0f %% (N = 4), %.0f %% (cap, 5°) and "
+            "%.0f %% (cap, 20°). The sine law gains little: factors of pieces "
+            "multiply to about that of the whole, as "
+            "their exponents add up, and the width of a shadow is in the exponent. Caps follow the outline; what "
+            "remains are gaps between round caps (the second numbers: light leaks in).\n",
+            d->splits[0].occluders, d->splits[SPLITS - 1].occluders,
+            100 * (1 - d->splits[SPLITS - 1].sine.rms / d->splits[0].sine.rms),
+            100 * (1 - d->splits[SPLITS - 1].strong.rms / d->splits[0].strong.rms),
+            100 * (1 - d->splits[SPLITS - 1].cap.rms / d->splits[0].cap.rms),
+            100 * (1 - d->splits[SPLITS - 1].wide.rms / d->splits[0].wide.rms));
 }
 
 static void write_sky(const study *d, FILE *to) {

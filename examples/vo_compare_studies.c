@@ -52,7 +52,8 @@ int study_laws(study *d, why *w) {
     for (a = 0; a < LIGHT_CASES; a++) {
         shadow_truth traced;
         int failed = shadow_truth_trace(&d->shapes.baked, d->o.directions, light_cases[a].size * degree,
-                                        light_cases[a].reach * (double)d->shapes.shining.mesh.report.radius, &traced, w);
+                                        light_cases[a].reach * (double)d->shapes.shining.mesh.report.radius, &traced,
+                                        w);
         if (!failed) judge_laws(d, a, &traced, &p);
         shadow_truth_free(&traced);
         if (failed) return -1;
@@ -160,6 +161,54 @@ int study_glass(study *d, why *w) {
                            d->glass_scores, &d->glass_noise, w);
 }
 
+/* ---- pictures by law ---- */
+
+/* A matte scene by a law, as a picture and its score; t are the techniques of the stage, or others of its mesh. */
+static int score_law(stage *s, const techniques *t, int which, int set, const prt_vo_params *law, score *to,
+                     double *seconds, why *w) {
+    const truth *traced = &s->truths[1][which];
+    prt_point_light lights[MOST_LIGHTS];
+    int count = lights_of(&s->rigs[which], set, lights), points = t->scene->mesh.point_count, run, k, failed;
+    prt_rgb *colors = (prt_rgb *)malloc((size_t)points * sizeof *colors);
+    picture halves[PATH_HALVES], mean, p;
+    memset(halves, 0, sizeof halves);
+    memset(&mean, 0, sizeof mean);
+    memset(&p, 0, sizeof p);
+    failed = !colors || paint_truth(s, traced, set, 0, &halves[0], w) ||
+             paint_truth(s, traced, set, 1, &halves[1], w) || paint_reference(s, 1, which, set, &mean, w);
+    for (run = 0; run < (seconds ? RUNS : 1) && !failed; run++) {
+        double now = processor_seconds();
+        failed = prt_vo_shade_n(law, points, t->matte_points, s->seen.eye.eye, t->first, t->occluders, count, lights,
+                                colors) != PRT_OK;
+        now = processor_seconds() - now;
+        if (seconds && (run == 0 || now < *seconds)) *seconds = now;
+    }
+    if (!failed) failed = view_paint(&s->seen, &s->shining, colors, background, &p, w);
+    if (!failed) *to = compare(&p, halves, &mean);
+    for (k = 0; k < PATH_HALVES; k++) picture_free(&halves[k]);
+    picture_free(&mean);
+    picture_free(&p);
+    free(colors);
+    return failed ? why_set(w, "%s cannot be painted", s->name) : 0;
+}
+
+/* VO/DD of matte scenes: which light of the cap law, and which law, gives the truest pictures. */
+int study_pictures(study *d, why *w) {
+    static const struct { int statue, which, set; } shown[PICTURED] = {
+        { 0, AROUND, 0 }, { 0, AROUND, 3 }, { 0, AROUND, 5 }, { 0, SKY, 0 }, { 1, SKY, 0 }
+    };
+    int k, i;
+    for (k = 0; k < PICTURE_LAWS; k++) {
+        prt_vo_params law = k < 2 ? sine_law(k ? 4 : 1.5) : cap_law(cap_angles[k - 2]);
+        law.off = PRT_VO_NO_CAUSTIC | PRT_VO_NO_DS | PRT_VO_NO_SS;
+        for (i = 0; i < PICTURED; i++) {
+            stage *s = shown[i].statue ? &d->statue : &d->shapes;
+            if (score_law(s, &s->baked, shown[i].which, shown[i].set, &law, &d->pictured[k][i], NULL, w)) return -1;
+        }
+    }
+    return *d->stop ? why_set(w, "interrupted") : 0;
+}
+
 /* ---- how many occluders a vertex ---- */
 
 /* t with the strongest `most` occluders of each vertex alone: rows are in order of falling form factor. */
@@ -179,35 +228,6 @@ static int keep_strongest(const techniques *t, int most, techniques *to, why *w)
     return 0;
 }
 
-/* The shapes under 8 lights by a law, as a picture and its score. */
-static int score_law(study *d, const techniques *t, const prt_vo_params *law, score *to, double *seconds, why *w) {
-    stage *s = &d->shapes;
-    const truth *traced = &s->truths[1][AROUND];
-    prt_point_light lights[MOST_LIGHTS];
-    int count = lights_of(&s->rigs[AROUND], 3, lights), points = t->scene->mesh.point_count, run, k, failed;
-    prt_rgb *colors = (prt_rgb *)malloc((size_t)points * sizeof *colors);
-    picture halves[PATH_HALVES], mean, p;
-    memset(halves, 0, sizeof halves);
-    memset(&mean, 0, sizeof mean);
-    memset(&p, 0, sizeof p);
-    failed = !colors || paint_truth(s, traced, 3, 0, &halves[0], w) || paint_truth(s, traced, 3, 1, &halves[1], w) ||
-             paint_reference(s, 1, AROUND, 3, &mean, w);
-    for (run = 0; run < RUNS && !failed; run++) {
-        double now = processor_seconds();
-        failed = prt_vo_shade_n(law, points, t->matte_points, s->seen.eye.eye, t->first, t->occluders, count, lights,
-                                colors) != PRT_OK;
-        now = processor_seconds() - now;
-        if (run == 0 || now < *seconds) *seconds = now;
-    }
-    if (!failed) failed = view_paint(&s->seen, &s->shining, colors, background, &p, w);
-    if (!failed) *to = compare(&p, halves, &mean);
-    for (k = 0; k < PATH_HALVES; k++) picture_free(&halves[k]);
-    picture_free(&mean);
-    picture_free(&p);
-    free(colors);
-    return failed ? why_set(w, "the shapes cannot be painted") : 0;
-}
-
 static int study_keeps(study *d, int cut, const techniques *t, const shadow_truth *traced, why *w) {
     prt_vo_params sine = sine_law(1.5), cap = cap_law(5);
     int k, failed = 0;
@@ -215,9 +235,9 @@ static int study_keeps(study *d, int cut, const techniques *t, const shadow_trut
     for (k = 0; k < KEEPS && !failed; k++) {
         keep_study *to = &d->keeps[cut][k];
         techniques few;
-        double unused;
-        failed = keep_strongest(t, keeps[cut][k], &few, w) || score_law(d, &few, &sine, &to->by_sine, &unused, w) ||
-                 score_law(d, &few, &cap, &to->by_cap, &to->seconds, w);
+        failed = keep_strongest(t, keeps[cut][k], &few, w) ||
+                 score_law(&d->shapes, &few, AROUND, 3, &sine, &to->by_sine, NULL, w) ||
+                 score_law(&d->shapes, &few, AROUND, 3, &cap, &to->by_cap, &to->seconds, w);
         if (!failed) {
             to->seen = (double)few.occluder_count / few.scene->mesh.point_count;
             to->sine = shadow_law_error(&few, traced, &sine);
