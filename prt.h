@@ -769,7 +769,8 @@ typedef struct prt_fiv_hidden {
 
 enum {
     PRT_FIV_PAPER_PARTIAL = 1,         /* occluders cut by the horizon: the paper's factor (d+R)/2R (4.3.1) */
-    PRT_FIV_NO_OVERLAP = 2             /* what two occluders hide together counts twice */
+    PRT_FIV_NO_OVERLAP = 2,            /* what two occluders hide together counts twice */
+    PRT_FIV_PAPER_OVERLAP = 4          /* it is taken back as if occluders filled their bounding spheres (equation 14) */
 };
 
 /* fiv += radiance dw w in each channel (equation 9). dir: unit. NULL: nothing happens. */
@@ -801,9 +802,15 @@ PRTDEF prt_result prt_fiv_lookup(const prt_fiv_table *table, prt_vec3 from_recei
                 g(u) = (u acos(-u) + sqrt(1-u^2) (2+u^2)/3)/pi
                 what a cap of uniform radiance cut by the horizon takes, within .0005, .008, .067 of the uncut cap for
                 half-angles .2, .5, 1 (tests/test_fiv.c). The paper's (d+R)/2R scales N.FIV, which is too small already.
-   Overlap (equations 13, 14): with discs of radius r_i = 2 sin(a_i/2), sin(a_i) = s_i, whose centres are the chord
-   apart, each pair takes back lens/(area 1 + area 2) (I_1 + I_2), at most the smaller of the two. The sum then is kept
-   between the largest I and the total. With 0 occluders irradiance = total.
+   Overlap: with discs of radius r_i = 2 sin(a_i/2), sin(a_i) = s_i, whose centres are the chord apart, each pair takes
+   back, at most the smaller of the two,
+     lens f_1 f_2 (I_1 + I_2)/(f_1 area_1 + f_2 area_2),   f_i = min(1, I_i/(total s_i^2 h_i))
+   in each channel: f is the part of its disc that an occluder fills, as far as the light can tell: h_i, the cosine
+   N.to_centre/r where d >= R, s g(u) where the horizon cuts, 1/1024 at least, makes total s^2 h what a whole disc under
+   even light would take. Two such occluders meet by chance in f_1 f_2 of the lens. f = 1, a whole disc or a light concentrated in it, is
+   equation 14, lens/(area_1 + area_2) (I_1 + I_2), which holds for one disc twice, and for all by PRT_FIV_PAPER_OVERLAP. It takes back too much
+   under a whole sky, of which meshes fill .06 to .6 of their discs; errors by both: docs/fiv.md, figures 15 and 16.
+   The sum then is kept between the largest I and the total. With 0 occluders irradiance = total.
    Errors: PRT_ERR_COUNT (count < 0, a count of a table below 1); PRT_ERR_NULL (irradiance; occluders with count > 0; a
    table, its rho or samples). Nothing is written then.
    Cost: a lookup an occluder that is not below the horizon, and about 60 operations a pair of discs that overlap. One
@@ -6280,8 +6287,9 @@ typedef struct prt__fiv_scene {
     prt__vec px, py, pz, nx, ny, nz, total[3];
 } prt__fiv_scene;
 
-/* An occluder from the receivers: direction, its unit bounding disc, what it takes of each channel; lit 0: nothing. */
-typedef struct prt__fiv_seen { prt__vec x, y, z, disc, disc2, taken[3]; int lit; } prt__fiv_seen;
+/* An occluder from the receivers: direction, its unit bounding disc, what it takes of each channel and which part of the
+   disc that fills. */
+typedef struct prt__fiv_seen { prt__vec x, y, z, disc, disc2, taken[3], filled[3]; } prt__fiv_seen;
 
 /* The vectors of occluder k in the lanes that `lit` names, nine numbers each. A single lane is spread over all: going
    through memory would wait for it. */
@@ -6312,90 +6320,108 @@ PRT__STATIC prt__vec prt__fiv_cut(prt__vec u) {
     return (u * prt__vec_angle(root, -u) + root * (2 + u * u) * PRT__R(1.0 / 3)) * PRT__R(1 / PRT__PI) - u;
 }
 
-PRT__STATIC void prt__fiv_see(const prt__fiv_scene *s, int k, prt__fiv_seen *seen) {
+/* Whether a choice was made in any lane. */
+PRT__INLINE int prt__any(prt__chosen chosen) {
+    uint64_t part[sizeof chosen < sizeof(uint64_t) ? 1 : sizeof chosen / sizeof(uint64_t)] = { 0 }, any = 0;
+    size_t k;
+    memcpy(part, &chosen, sizeof chosen);
+    for (k = 0; k < sizeof part / sizeof *part; k++) any |= part[k];
+    return any != 0;
+}
+
+/* What an occluder takes and fills. cut: beyond N.FIV, or the paper's factor of it. */
+PRT__STATIC void prt__fiv_take(const prt__fiv_scene *s, const prt__vec vectors[9], prt__vec lit, prt__vec up,
+                               prt__vec sine, prt__vec cut, int partial, prt__fiv_seen *seen) {
+    const prt__vec zero = prt__vec_set(0), one = prt__vec_set(1);
+    int paper = (s->flags & PRT_FIV_PAPER_PARTIAL) != 0, whole = (s->flags & PRT_FIV_PAPER_OVERLAP) != 0, c;
+    prt__vec full = sine * sine * prt__vec_most(paper ? up * cut : up + cut, prt__vec_set(PRT__R(1.0 / 1024)));
+    for (c = 0; c < 3; c++) {
+        prt__vec x = vectors[3 * c], y = vectors[3 * c + 1], z = vectors[3 * c + 2];
+        prt__vec along = x * s->nx + y * s->ny + z * s->nz;
+        if (paper) along = along * cut;
+        else if (partial) along = along + PRT__SELECT(cut > zero, prt__vec_root(x * x + y * y + z * z) * cut, zero);
+        seen->taken[c] = PRT__SELECT(lit > zero, prt__vec_clamp(along, zero, s->total[c]), zero);
+        along = s->total[c] * full;
+        seen->filled[c] = whole ? one : PRT__SELECT(seen->taken[c] < along, seen->taken[c] / along, one);
+    }
+}
+
+/* 0: nothing of occluder k is above any receiver's horizon. */
+PRT__STATIC int prt__fiv_see(const prt__fiv_scene *s, int k, prt__fiv_seen *seen) {
     const prt__vec zero = prt__vec_set(0), one = prt__vec_set(1);
     prt_vec3 to = s->hidden ? s->hidden[k].to_centre : s->occluders[k].position;
     prt_real size = s->hidden ? s->hidden[k].radius : s->occluders[k].table->radius, lit[PRT__LANES];
     prt__vec radius = prt__vec_set(size);
     prt__fiv_polar p = prt__fiv_polar_of(to.x - s->px, to.y - s->py, to.z - s->pz);
     prt__vec up = prt__fiv_dot(&p, s->nx, s->ny, s->nz), sine, u, cut = zero, shine, vectors[9];
-    int c, lane, partial = 0;
-    seen->lit = 0;
-    if (!(size > 0)) return;
+    int partial;
+    if (!(size > 0)) return 0;
     sine = PRT__SELECT(radius < p.distance, radius / PRT__SELECT(p.distance > 0, p.distance, one), one);
     u = prt__vec_clamp(up / sine, -one, one);
     shine = PRT__SELECT(u > -one, one, zero);
+    if (!prt__any((prt__chosen)(u > -one))) return 0;
     prt__vec_store(lit, shine);
-    for (lane = 0; lane < s->lanes; lane++) seen->lit |= lit[lane] > 0;
-    if (!seen->lit) return;
     prt__fiv_vectors(s, k, &p, lit, vectors);
-    prt__vec_store(lit, u);
-    for (lane = 0; lane < s->lanes; lane++) partial |= lit[lane] < 1;
+    partial = prt__any((prt__chosen)(u < one));
     if (s->flags & PRT_FIV_PAPER_PARTIAL)
         cut = prt__vec_clamp(up * p.distance / radius, -one, one) * PRT__R(0.5) + PRT__R(0.5);
-    else if (partial) cut = prt__fiv_cut(u) * sine;
-    for (c = 0; c < 3; c++) {
-        prt__vec x = vectors[3 * c], y = vectors[3 * c + 1], z = vectors[3 * c + 2];
-        prt__vec along = x * s->nx + y * s->ny + z * s->nz;
-        if (s->flags & PRT_FIV_PAPER_PARTIAL) along = along * cut;
-        else if (partial) along = along + PRT__SELECT(u < one, prt__vec_root(x * x + y * y + z * z) * cut, zero);
-        seen->taken[c] = PRT__SELECT(shine > zero, prt__vec_clamp(along, zero, s->total[c]), zero);
-    }
+    else if (partial) cut = PRT__SELECT(u < one, prt__fiv_cut(u) * sine, zero);
+    prt__fiv_take(s, vectors, shine, up, sine, cut, partial, seen);
     seen->x = p.x; seen->y = p.y; seen->z = p.z;
     seen->disc2 = 2 * sine * sine / (1 + prt__vec_root((1 - sine) * (1 + sine)));
     seen->disc = prt__vec_root(seen->disc2);
+    return 1;
 }
 
-PRT__INLINE int prt__any_over(prt__vec a, prt__vec b) {        /* a > b in any lane */
-    prt_real over[PRT__LANES], sum = 0;
-    int k;
-    prt__vec_store(over, PRT__SELECT(a > b, prt__vec_set(1), prt__vec_set(0)));
-    for (k = 0; k < PRT__LANES; k++) sum += over[k];
-    return sum > 0;
-}
+/* Discs are the same where centres and radii differ by 3e-5 of a radius, squared: rounding stays far below. */
+#define PRT__FIV_SAME PRT__R(9.313225746154785e-10)            /* 2^-30 */
 
-/* Adds what two occluders take together: the part of two unit bounding discs' areas that lies in both, over the sum of
-   the areas, of the sum of what they take. By Heron: s is four times the triangle of the centres and a crossing; it
-   turns to 0, and the angles to 0 and pi, where one disc contains the other. */
+/* Adds what two occluders take together: of the lens that lies in both discs, what both fill of it by chance, at the
+   mean of what a filled part gives; where the discs are the same, they are taken for one body. By Heron: h is four times the triangle of the centres and a crossing; it turns to
+   0, and the angles to 0 and pi, where one disc contains the other. */
 PRT__STATIC void prt__fiv_pair(const prt__fiv_seen *a, const prt__fiv_seen *b, prt__vec *twice) {
-    prt__vec x = a->x - b->x, y = a->y - b->y, z = a->z - b->z, d2 = x * x + y * y + z * z, d, s, share;
+    prt__vec x = a->x - b->x, y = a->y - b->y, z = a->z - b->z, d2 = x * x + y * y + z * z, d, h, lens;
     prt__vec reach = a->disc + b->disc, apart = a->disc - b->disc, zero = prt__vec_set(0);
+    prt__chosen same;
     int c;
-    if (!prt__any_over(reach * reach, d2)) return;
+    if (!prt__any((prt__chosen)(reach * reach > d2))) return;
     d = prt__vec_root(d2);
-    s = prt__vec_root(prt__vec_most((reach - d) * (reach + d) * (d + apart) * (d - apart), zero));
-    share = a->disc2 * prt__vec_angle(s, d2 + a->disc2 - b->disc2)
-            + b->disc2 * prt__vec_angle(s, d2 + b->disc2 - a->disc2);
-    share = (share - s * PRT__R(0.5)) / ((a->disc2 + b->disc2) * PRT__R(PRT__PI));
-    share = PRT__SELECT(reach > d, share, zero);
+    h = prt__vec_root(prt__vec_most((reach - d) * (reach + d) * (d + apart) * (d - apart), zero));
+    lens = a->disc2 * prt__vec_angle(h, d2 + a->disc2 - b->disc2)
+           + b->disc2 * prt__vec_angle(h, d2 + b->disc2 - a->disc2);
+    lens = PRT__SELECT(reach > d, (lens - h * PRT__R(0.5)) * PRT__R(1 / PRT__PI), zero);
+    same = d2 + apart * apart <= a->disc2 * PRT__FIV_SAME;
     for (c = 0; c < 3; c++) {
-        prt__vec both = share * (a->taken[c] + b->taken[c]);
+        prt__vec f = PRT__SELECT(same, prt__vec_set(1), a->filled[c]), g = PRT__SELECT(same, f, b->filled[c]);
+        prt__vec areas = f * a->disc2 + g * b->disc2 + PRT__REAL_MIN;
+        prt__vec both = lens * (f * g) * (a->taken[c] + b->taken[c]) / areas;
         twice[c] += prt__vec_least(both, prt__vec_least(a->taken[c], b->taken[c]));
     }
 }
 
-/* Occluders that are kept to meet all that follow; more are taken block by block, and looked up once more for each. */
-enum { PRT__FIV_BLOCK = 32 };
+/* Occluders that are kept, where they are above a horizon, to meet all that follow; more are taken block by block, and
+   looked up once more for each. The blocks do not depend on what is above, so that sums have one order. */
+enum { PRT__FIV_BLOCK = 64 };
 
 /* left[c] = total - what all occluders take. */
 PRT__STATIC void prt__fiv_shade(const prt__fiv_scene *s, prt__vec left[3]) {
-    prt__fiv_seen block[PRT__FIV_BLOCK], one;
+    prt__fiv_seen block[PRT__FIV_BLOCK + 1];
     prt__vec zero = prt__vec_set(0), sum[3], most[3], twice[3];
-    int pairs = !(s->flags & PRT_FIV_NO_OVERLAP), first, k, j, c;
+    int pairs = !(s->flags & PRT_FIV_NO_OVERLAP), first, kept, k, j, c;
     for (c = 0; c < 3; c++) sum[c] = most[c] = twice[c] = zero;
-    for (first = 0; first < s->count; first += PRT__FIV_BLOCK)
-        for (k = first; k < s->count && (pairs || k < first + PRT__FIV_BLOCK); k++) {
-            int own = k - first < PRT__FIV_BLOCK;
-            prt__fiv_see(s, k, &one);
-            for (j = 0; one.lit && pairs && j < (own ? k - first : PRT__FIV_BLOCK); j++)
-                if (block[j].lit) prt__fiv_pair(&block[j], &one, twice);
-            if (!own) continue;
-            block[k - first] = one;
-            for (c = 0; one.lit && c < 3; c++) {
-                sum[c] += one.taken[c];
-                most[c] = prt__vec_most(most[c], one.taken[c]);
+    for (first = 0; first < s->count; first += PRT__FIV_BLOCK) {
+        for (k = first, kept = 0; k < s->count && (pairs || k - first < PRT__FIV_BLOCK); k++) {
+            prt__fiv_seen *one = &block[kept];
+            if (!prt__fiv_see(s, k, one)) continue;
+            for (j = 0; pairs && j < kept; j++) prt__fiv_pair(&block[j], one, twice);
+            if (k - first >= PRT__FIV_BLOCK) continue;
+            kept += 1;
+            for (c = 0; c < 3; c++) {
+                sum[c] += one->taken[c];
+                most[c] = prt__vec_most(most[c], one->taken[c]);
             }
         }
+    }
     for (c = 0; c < 3; c++)
         left[c] = prt__vec_clamp(s->total[c] - prt__vec_clamp(sum[c] - twice[c], most[c], sum[c]), zero, s->total[c]);
 }

@@ -65,7 +65,9 @@
     X(fiv_place, fiv_place, 0, 0, FORM_TEXT) \
     X(fiv_blend, fiv_blend, 0, 0, FORM_TEXT) \
     X(fiv_taken, fiv_taken, 0, 0, FORM_TEXT) \
+    X(fiv_filled, fiv_filled, 0, 0, FORM_TEXT) \
     X(fiv_overlap, fiv_overlap, 0, 0, FORM_TEXT) \
+    X(fiv_twice, fiv_twice, 0, 0, FORM_TEXT) \
     X(fiv_self, fiv_self, 0, 0, FORM_TEXT) \
     X(fiv_transfer, fiv_transfer, 1, 6, FORM_TEXT) \
     X(vo_direct, vo_direct, 0, 0, FORM_TEXT) \

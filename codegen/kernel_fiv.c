@@ -72,65 +72,150 @@ static node sine_of(kernel *k, node radius, node distance) {
     return k_select(k, radius, distance, k_div(k, radius, distance), k_const(k, 1));
 }
 
+/* How an occluder stands to the horizon: cosine N.to_centre, sine of its half-angle, u = their ratio in -1 ... 1, and
+   sine (g(u) - u) with g(u) = (u acos(-u) + sqrt(1-u^2) (2+u^2)/3)/pi */
+typedef struct horizon { node up, sine, u, cut; } horizon;
+
+static horizon horizon_of(kernel *k, vec normal, vec to, node radius) {
+    node zero = k_const(k, 0), one = k_const(k, 1), two = k_const(k, 2), distance, square, root;
+    vec dir = direction_or_y(k, to, &distance);
+    horizon h;
+    h.sine = sine_of(k, radius, distance);
+    h.up = vec_dot(k, normal, dir);
+    h.u = k_select(k, zero, h.sine, k_div(k, h.up, h.sine), zero);
+    h.u = k_max(k, k_min(k, h.u, one), k_const(k, -1));
+    square = k_mul(k, h.u, h.u);
+    root = k_mul(k, k_sqrt(k, k_max(k, k_sub(k, one, square), zero)), k_scale(k, x_ratio(1, 3), k_add(k, two, square)));
+    h.cut = k_scale(k, 1 / x_pi(), k_madd(k, h.u, k_arc_cosine(k, k_neg(k, h.u)), root));
+    h.cut = k_mul(k, h.sine, k_sub(k, h.cut, h.u));
+    return h;
+}
+
 /* I = N.FIV where the occluder is above the horizon, N.FIV + |FIV| s (g(u) - u) where it is cut, 0 below; within
-   0 ... total. g(u) = (u acos(-u) + sqrt(1-u^2) (2+u^2)/3)/pi, u = N.to_centre/(distance s) */
+   0 ... total */
 kernel *describe_fiv_taken(int bands) {
     kernel *k = kernel_new("fiv_taken", "irradiance that one occluder takes");
-    node zero = k_const(k, 0), one = k_const(k, 1), two = k_const(k, 2), distance, sine, radius, u, square, root, cut;
-    vec total = vec_param(k, "total"), normal = vec_param(k, "normal"), fiv[3], to, dir, taken, lit;
+    node zero = k_const(k, 0), radius, seen;
+    vec total = vec_param(k, "total"), normal = vec_param(k, "normal"), fiv[3], to, taken, lit;
+    horizon h;
     (void)bands;
     vectors_param(k, "fiv", fiv);
     to = vec_param(k, "to_centre");
     radius = real_param(k, "radius");
-    dir = direction_or_y(k, to, &distance);
-    sine = sine_of(k, radius, distance);
-    u = k_select(k, zero, sine, k_div(k, vec_dot(k, normal, dir), sine), zero);
-    u = k_max(k, k_min(k, u, one), k_const(k, -1));
-    square = k_mul(k, u, u);
-    root = k_mul(k, k_sqrt(k, k_max(k, k_sub(k, one, square), zero)), k_scale(k, x_ratio(1, 3), k_add(k, two, square)));
-    cut = k_scale(k, 1 / x_pi(), k_madd(k, u, k_arc_cosine(k, k_neg(k, u)), root));
-    cut = k_mul(k, sine, k_sub(k, cut, u));
+    h = horizon_of(k, normal, to, radius);
     lit = along(k, fiv, normal);
-#define TAKEN(c, i) k_min(k, k_max(k, k_madd(k, vec_length(k, fiv[i]), cut, lit.c), zero), k_max(k, total.c, zero))
+#define TAKEN(c, i) k_min(k, k_max(k, k_madd(k, vec_length(k, fiv[i]), h.cut, lit.c), zero), k_max(k, total.c, zero))
     taken.x = TAKEN(x, 0);
     taken.y = TAKEN(y, 1);
     taken.z = TAKEN(z, 2);
 #undef TAKEN
-    cut = k_select(k, zero, radius, k_select(k, k_const(k, -1), u, one, zero), zero);
-    vec_result(k, vec_scale(k, cut, taken));
+    seen = k_select(k, zero, radius, k_select(k, k_const(k, -1), h.u, k_const(k, 1), zero), zero);
+    vec_result(k, vec_scale(k, seen, taken));
     return k;
 }
 
-/* lens/(area 1 + area 2) of the discs of radius 2 sin(a/2) as far apart as the chord between the centres. Heron's root is
-   four times the triangle of the centres and a crossing; there is none where one disc contains the other. */
-kernel *describe_fiv_overlap(int bands) {
-    kernel *k = kernel_new("fiv_overlap", "share of two occluders' discs that lies in both");
-    node zero = k_const(k, 0), one = k_const(k, 1), disc2[2], disc[2], areas, d2, d, heron, root, lens, contained;
-    vec dir[2], apart;
-    int i;
+/* taken/(total s^2 max(1/1024, N.to_centre + s (g(u) - u))), at most 1: over what the whole disc would take under even
+   light */
+kernel *describe_fiv_filled(int bands) {
+    kernel *k = kernel_new("fiv_filled", "the part of its disc that an occluder fills");
+    vec total = vec_param(k, "total"), normal = vec_param(k, "normal"), taken = vec_param(k, "taken"), to, out;
+    node zero = k_const(k, 0), one = k_const(k, 1), radius, full, whole;
+    horizon h;
     (void)bands;
+    to = vec_param(k, "to_centre");
+    radius = real_param(k, "radius");
+    h = horizon_of(k, normal, to, radius);
+    full = k_mul(k, k_mul(k, h.sine, h.sine), k_max(k, k_add(k, h.up, h.cut), k_const(k, x_ratio(1, 1024))));
+#define FILLED(c) (whole = k_mul(k, k_max(k, total.c, zero), full), \
+                   k_select(k, k_max(k, taken.c, zero), whole, k_div(k, k_max(k, taken.c, zero), whole), one))
+    out.x = FILLED(x);
+    out.y = FILLED(y);
+    out.z = FILLED(z);
+#undef FILLED
+    vec_result(k, out);
+    return k;
+}
+
+/* Two discs of radius 2 sin(a/2), the chord apart: their squared radii, the lens over pi, and how far they differ in
+   place and radius, squared. Heron's root is four times the triangle of the centres and a crossing; there is none where one disc contains
+   the other. */
+typedef struct lens { node disc2[2], area, differ; } lens;
+
+static lens lens_of(kernel *k, const vec to[2], const node radius[2]) {
+    node zero = k_const(k, 0), one = k_const(k, 1), disc[2], d2, d, reach, heron, root, area, apart_radii;
+    vec dir[2], apart;
+    lens l;
+    int i;
     for (i = 0; i < 2; i++) {
-        static const char *const to[] = { "to_centre", "to_centre2" }, *const size[] = { "radius", "radius2" };
         node distance, sine;
-        dir[i] = direction_or_y(k, vec_param(k, to[i]), &distance);
-        sine = sine_of(k, real_param(k, size[i]), distance);
+        dir[i] = direction_or_y(k, to[i], &distance);
+        sine = sine_of(k, radius[i], distance);
         root = k_sqrt(k, k_max(k, k_mul(k, k_sub(k, one, sine), k_add(k, one, sine)), zero));
-        disc2[i] = k_div(k, k_scale(k, 2, k_mul(k, sine, sine)), k_add(k, one, root));
-        disc[i] = k_sqrt(k, disc2[i]);
+        l.disc2[i] = k_div(k, k_scale(k, 2, k_mul(k, sine, sine)), k_add(k, one, root));
+        disc[i] = k_sqrt(k, l.disc2[i]);
     }
     apart = vec_sub(k, dir[0], dir[1]);
     d2 = vec_dot(k, apart, apart);
     d = k_sqrt(k, d2);
-    areas = k_add(k, disc2[0], disc2[1]);
-    heron = k_mul(k, k_mul(k, k_sub(k, k_add(k, disc[0], disc[1]), d), k_add(k, k_add(k, disc[0], disc[1]), d)),
+    reach = k_add(k, disc[0], disc[1]);
+    heron = k_mul(k, k_mul(k, k_sub(k, reach, d), k_add(k, reach, d)),
                   k_mul(k, k_sub(k, k_add(k, d, disc[0]), disc[1]), k_add(k, k_sub(k, d, disc[0]), disc[1])));
     root = k_sqrt(k, k_max(k, heron, zero));
-    lens = k_mul(k, disc2[0], k_arc_tangent(k, root, k_sub(k, k_add(k, d2, disc2[0]), disc2[1])));
-    lens = k_madd(k, disc2[1], k_arc_tangent(k, root, k_sub(k, k_add(k, d2, disc2[1]), disc2[0])), lens);
-    lens = k_scale(k, 1 / x_pi(), k_sub(k, lens, k_scale(k, x_ratio(1, 2), root)));
-    contained = k_min(k, disc2[0], disc2[1]);
-    lens = k_select(k, d, k_add(k, disc[0], disc[1]), k_select(k, zero, heron, lens, contained), zero);
-    real_result(k, k_select(k, zero, areas, k_div(k, lens, areas), zero));
+    area = k_mul(k, l.disc2[0], k_arc_tangent(k, root, k_sub(k, k_add(k, d2, l.disc2[0]), l.disc2[1])));
+    area = k_madd(k, l.disc2[1], k_arc_tangent(k, root, k_sub(k, k_add(k, d2, l.disc2[1]), l.disc2[0])), area);
+    area = k_scale(k, 1 / x_pi(), k_sub(k, area, k_scale(k, x_ratio(1, 2), root)));
+    area = k_select(k, zero, heron, area, k_min(k, l.disc2[0], l.disc2[1]));
+    l.area = k_select(k, d, reach, area, zero);
+    apart_radii = k_sub(k, disc[0], disc[1]);
+    l.differ = k_madd(k, apart_radii, apart_radii, d2);
+    return l;
+}
+
+/* lens/(area 1 + area 2), equation 14 */
+kernel *describe_fiv_overlap(int bands) {
+    kernel *k = kernel_new("fiv_overlap", "share of two occluders' discs that lies in both");
+    node zero = k_const(k, 0), radius[2], areas;
+    vec to[2];
+    lens l;
+    (void)bands;
+    to[0] = vec_param(k, "to_centre");
+    radius[0] = real_param(k, "radius");
+    to[1] = vec_param(k, "to_centre2");
+    radius[1] = real_param(k, "radius2");
+    l = lens_of(k, to, radius);
+    areas = k_add(k, l.disc2[0], l.disc2[1]);
+    real_result(k, k_select(k, zero, areas, k_div(k, l.area, areas), zero));
+    return k;
+}
+
+/* lens f1 f2 (I1 + I2)/(f1 area1 + f2 area2), at most the smaller of the two; f = 1 for one disc twice */
+kernel *describe_fiv_twice(int bands) {
+    kernel *k = kernel_new("fiv_twice", "what two occluders take together, of discs that they fill in part");
+    static const char *const names[2][4] = { { "to_centre", "radius", "taken", "filled" },
+                                             { "to_centre2", "radius2", "taken2", "filled2" } };
+    node zero = k_const(k, 0), one = k_const(k, 1), radius[2], f, g, areas, both, same;
+    vec to[2], taken[2], filled[2], out;
+    lens l;
+    int i;
+    (void)bands;
+    for (i = 0; i < 2; i++) {
+        to[i] = vec_param(k, names[i][0]);
+        radius[i] = real_param(k, names[i][1]);
+        taken[i] = vec_param(k, names[i][2]);
+        filled[i] = vec_param(k, names[i][3]);
+    }
+    l = lens_of(k, to, radius);
+    same = k_scale(k, x_ratio(1, 1 << 30), l.disc2[0]);
+#define TWICE(c) (f = k_select(k, same, l.differ, filled[0].c, one), g = k_select(k, same, l.differ, filled[1].c, one), \
+                  areas = k_madd(k, f, l.disc2[0], k_mul(k, g, l.disc2[1])), \
+                  both = k_mul(k, k_mul(k, l.area, k_mul(k, f, g)), k_add(k, taken[0].c, taken[1].c)), \
+                  both = k_select(k, zero, areas, k_div(k, both, areas), zero), \
+                  k_min(k, both, k_min(k, taken[0].c, taken[1].c)))
+    out.x = TWICE(x);
+    out.y = TWICE(y);
+    out.z = TWICE(z);
+#undef TWICE
+    vec_result(k, out);
     return k;
 }
 

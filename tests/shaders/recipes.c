@@ -32,20 +32,21 @@ static double difference(prt_rgb want, const float *got) {
     return fmax(fabs(want.r - (double)got[0]), fmax(fabs(want.g - (double)got[1]), fabs(want.b - (double)got[2])));
 }
 
-/* A uniform cap's vectors, so that what is hidden fits what is seen */
+/* A part of a uniform cap's vectors, so that what is hidden fits what is seen; more than all under a bright spot */
 static double fiv_scene(void) {
-    float total[3], normal[3], fiv[OCCLUDERS][9], to[OCCLUDERS][3], radius[OCCLUDERS], taken[OCCLUDERS][3], left[3];
+    float total[3], normal[3], fiv[OCCLUDERS][9], to[OCCLUDERS][3], radius[OCCLUDERS], taken[OCCLUDERS][3], filled[OCCLUDERS][3];
+    float left[3], both[OCCLUDERS][OCCLUDERS][3];
     prt_fiv_hidden hidden[OCCLUDERS];
     prt_rgb want = { 0, 0, 0 };
     int count = rand() % (OCCLUDERS + 1), i, j, c;
     fill(total, 3, 1, 3);
     fill_unit(normal);
     for (i = 0; i < count; i++) {
-        double distance = uniform(0.5, 4), sine;
+        double distance = uniform(0.5, 4), fill_part = uniform(0.1, 1.2), sine;
         fill_unit(to[i]);
         radius[i] = (float)uniform(0.1, 1.5);
         sine = fmin(1, (double)radius[i] / distance);
-        for (j = 0; j < 9; j++) fiv[i][j] = (float)(sine * sine) * total[j / 3] * to[i][j % 3];
+        for (j = 0; j < 9; j++) fiv[i][j] = (float)(fill_part * sine * sine) * total[j / 3] * to[i][j % 3];
         for (c = 0; c < 3; c++) to[i][c] *= (float)distance;
         hidden[i].fiv.r = vec3_of(fiv[i]);
         hidden[i].fiv.g = vec3_of(fiv[i] + 3);
@@ -53,15 +54,16 @@ static double fiv_scene(void) {
         hidden[i].to_centre = vec3_of(to[i]);
         hidden[i].radius = (double)radius[i];
         kernel_fiv_taken(total, normal, fiv[i], to[i], radius[i], taken[i]);
+        kernel_fiv_filled(total, normal, taken[i], to[i], radius[i], filled[i]);
+        for (j = 0; j < i; j++)
+            kernel_fiv_twice(to[i], radius[i], taken[i], filled[i], to[j], radius[j], taken[j], filled[j], both[i][j]);
     }
     for (c = 0; c < 3; c++) {
         float sum = 0, most = 0, twice = 0;
         for (i = 0; i < count; i++) {
             sum += taken[i][c];
             most = fmaxf(most, taken[i][c]);
-            for (j = 0; j < i; j++)
-                twice += fminf(fminf(taken[i][c], taken[j][c]),
-                               kernel_fiv_overlap(to[i], radius[i], to[j], radius[j]) * (taken[i][c] + taken[j][c]));
+            for (j = 0; j < i; j++) twice += both[i][j][c];
         }
         left[c] = fmaxf(total[c] - fminf(fmaxf(sum - twice, most), sum), 0);
     }

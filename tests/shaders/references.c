@@ -48,26 +48,63 @@ static void fiv_taken(const double *in, double *out) {
     out[0] = total.r - left.r; out[1] = total.g - left.g; out[2] = total.b - left.b;
 }
 
-/* Two circles of radius 2 sin(a/2), centres a chord apart, by the textbook's formula */
-static double fiv_overlap(const double *in) {
-    double r[2], d2 = 0, d, area, lens;
-    prt_vec3 to[2];
+/* What a whole disc takes of an even sky, as prt.h would have it from its vector */
+static void fiv_filled(const double *in, double *out) {
+    double whole[19], full[3], d = sqrt(in[9] * in[9] + in[10] * in[10] + in[11] * in[11]), s = in[12] < d ? in[12] / d : 1;
     int i;
+    for (i = 0; i < 3; i++) whole[i] = in[i] > 0 ? 4 : 0;
+    memcpy(whole + 3, in + 3, 3 * sizeof *in);
+    for (i = 0; i < 9; i++) whole[6 + i] = in[i / 3] * s * s * (d > 0 ? in[9 + i % 3] / d : i % 3 == 1);
+    memcpy(whole + 15, in + 9, 4 * sizeof *in);
+    fiv_taken(whole, full);
+    for (i = 0; i < 3; i++) full[i] = fmax(full[i], in[i] > 0 ? in[i] * s * s / 1024 : 0);
+    for (i = 0; i < 3; i++) {
+        double taken = in[6 + i] > 0 ? in[6 + i] : 0;
+        out[i] = taken < full[i] ? taken / full[i] : 1;
+    }
+}
+
+/* Two circles of radius 2 sin(a/2), centres a chord apart, by the textbook's formula: squared radii, the lens over pi. 1
+   for one disc twice */
+static int fiv_lens(const double *first, const double *second, double r2[2], double *lens) {
+    double r[2], d2 = 0, d;
+    prt_vec3 to[2];
+    int one, i;
     for (i = 0; i < 2; i++) {
-        const double *v = in + 4 * i;
+        const double *v = i ? second : first;
         double distance = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]), sine = v[3] < distance ? v[3] / distance : 1;
         r[i] = 2 * sin(asin(sine) / 2);
+        r2[i] = r[i] * r[i];
         to[i] = distance > 0 ? prt__vec3(v[0] / distance, v[1] / distance, v[2] / distance) : prt__vec3(0, 1, 0);
     }
     d2 = (to[0].x - to[1].x) * (to[0].x - to[1].x) + (to[0].y - to[1].y) * (to[0].y - to[1].y) + (to[0].z - to[1].z) * (to[0].z - to[1].z);
     d = sqrt(d2);
-    area = r[0] * r[0] + r[1] * r[1];
-    if (d >= r[0] + r[1] || area <= 0) return 0;
-    if (d <= fabs(r[0] - r[1])) return fmin(r[0] * r[0], r[1] * r[1]) / area;
-    lens = r[0] * r[0] * acos(fmax(-1, fmin(1, (d2 + r[0] * r[0] - r[1] * r[1]) / (2 * d * r[0])))) +
-           r[1] * r[1] * acos(fmax(-1, fmin(1, (d2 + r[1] * r[1] - r[0] * r[0]) / (2 * d * r[1])))) -
-           sqrt(fmax(0, (r[0] + r[1] - d) * (r[0] + r[1] + d) * (d + r[0] - r[1]) * (d - r[0] + r[1]))) / 2;
-    return lens / (PRT__PI * area);
+    *lens = 0;
+    if (d >= r[0] + r[1]) return 0;
+    *lens = fmin(r2[0], r2[1]);
+    one = d2 + (r[0] - r[1]) * (r[0] - r[1]) <= r2[0] / (1 << 30);
+    if (d <= fabs(r[0] - r[1])) return one;
+    *lens = (r2[0] * acos(fmax(-1, fmin(1, (d2 + r2[0] - r2[1]) / (2 * d * r[0])))) +
+             r2[1] * acos(fmax(-1, fmin(1, (d2 + r2[1] - r2[0]) / (2 * d * r[1])))) -
+             sqrt(fmax(0, (r[0] + r[1] - d) * (r[0] + r[1] + d) * (d + r[0] - r[1]) * (d - r[0] + r[1]))) / 2) / PRT__PI;
+    return one;
+}
+
+static double fiv_overlap(const double *in) {
+    double r2[2], lens;
+    fiv_lens(in, in + 4, r2, &lens);
+    return r2[0] + r2[1] > 0 ? lens / (r2[0] + r2[1]) : 0;
+}
+
+/* The layout of an occluder: to its centre, radius, taken, filled */
+static void fiv_twice(const double *in, double *out) {
+    double r2[2], lens;
+    int one = fiv_lens(in, in + 10, r2, &lens), i;
+    for (i = 0; i < 3; i++) {
+        double f = one ? 1 : in[7 + i], g = one ? 1 : in[17 + i], areas = f * r2[0] + g * r2[1];
+        double both = areas > 0 ? lens * f * g * (in[4 + i] + in[14 + i]) / areas : 0;
+        out[i] = fmin(both, fmin(in[4 + i], in[14 + i]));
+    }
 }
 
 static void fiv_self(const double *in, double *out) {
@@ -276,7 +313,9 @@ static void vo_unfold(const double *in, double *out) {
     X(fiv_place, 4e-9, fiv_place(in, out)) \
     X(fiv_blend, 0, fiv_blend(in, in + 72, out)) \
     X(fiv_taken, 4e-9, fiv_taken(in, out)) \
+    X(fiv_filled, 1024 * 4e-9, fiv_filled(in, out)) \
     X(fiv_overlap, 4e-9, *out = fiv_overlap(in)) \
+    X(fiv_twice, 4e-9, fiv_twice(in, out)) \
     X(fiv_self, 0, fiv_self(in, out)) \
     X(vo_direct, 0, vo_direct(in, out)) \
     X(vo_pass, 0, vo_pass(0, in, out)) \
