@@ -6022,10 +6022,10 @@ PRT__INLINE prt__vec prt__vec_least(prt__vec a, prt__vec b) { return PRT__SELECT
 PRT__INLINE prt__vec prt__vec_most(prt__vec a, prt__vec b) { return PRT__SELECT(a > b, a, b); }
 PRT__INLINE prt__vec prt__vec_abs(prt__vec v) { return PRT__SELECT(v < 0, -v, v); }
 
-/* The angle of (x,y) in 0 ... pi, for y >= 0; pi/2 for (0,0). The smaller of |x|, y over the larger, above tan(pi/8)
-   turned by pi/4, through a polynomial in its square: Chebyshev interpolation of atan(sqrt u)/sqrt u to 2e-8, or
+/* The angle of (x,y) in 0 ... pi/2, for x, y >= 0; pi/2 for (0,0). The smaller over the larger, above tan(pi/8) turned by
+   pi/4, through a polynomial in its square: Chebyshev interpolation of atan(sqrt u)/sqrt u to 2e-8, or
    3e-17. */
-PRT__STATIC prt__vec prt__vec_angle(prt__vec y, prt__vec x) {
+PRT__STATIC prt__vec prt__vec_slope(prt__vec y, prt__vec x) {
 #ifdef PRT_DOUBLE
     static const prt_real c[11] = { 0.999999999999999965, -0.333333333333284386, 0.199999999988551101,
         -0.142857141809764668, 0.111111061804559452, -0.0909077307480841379, 0.0768995349630685776,
@@ -6036,7 +6036,7 @@ PRT__STATIC prt__vec prt__vec_angle(prt__vec y, prt__vec x) {
         -0.138484902122692077f, 0.0797629180679455791f };
     enum { TERMS = 5 };
 #endif
-    prt__vec ax = prt__vec_abs(x), low = prt__vec_least(ax, y), high = prt__vec_most(ax, y), z, u, p;
+    prt__vec low = prt__vec_least(x, y), high = prt__vec_most(x, y), z, u, p;
     prt__chosen turned = low > high * PRT__R(0.41421356237309504880);
     int k;
     high = prt__vec_most(high, prt__vec_set(PRT__REAL_MIN));
@@ -6046,7 +6046,10 @@ PRT__STATIC prt__vec prt__vec_angle(prt__vec y, prt__vec x) {
     for (k = TERMS - 2; k >= 0; k--) p = p * u + c[k];
     z = z * p;
     z = PRT__SELECT(turned, z + PRT__R(PRT__PI / 4), z);
-    z = PRT__SELECT(ax > y, z, PRT__R(PRT__PI / 2) - z);
+    return PRT__SELECT(x > y, z, PRT__R(PRT__PI / 2) - z);
+}
+PRT__INLINE prt__vec prt__vec_angle(prt__vec y, prt__vec x) {                                  /* the same, 0 ... pi */
+    prt__vec z = prt__vec_slope(y, prt__vec_abs(x));
     return PRT__SELECT(x < 0, PRT__R(PRT__PI) - z, z);
 }
 
@@ -6373,28 +6376,34 @@ PRT__STATIC int prt__fiv_see(const prt__fiv_scene *s, int k, prt__fiv_seen *seen
     return 1;
 }
 
+PRT__INLINE prt__vec prt__fiv_apart(const prt__fiv_seen *a, const prt__fiv_seen *b) {          /* chord, squared */
+    prt__vec x = a->x - b->x, y = a->y - b->y, z = a->z - b->z;
+    return x * x + y * y + z * z;
+}
+
 /* Discs are the same where centres and radii differ by 3e-5 of a radius, squared: rounding stays far below. */
 #define PRT__FIV_SAME PRT__R(9.313225746154785e-10)            /* 2^-30 */
 
 /* Adds what two occluders take together: of the lens that lies in both discs, what both fill of it by chance, at the
-   mean of what a filled part gives; where the discs are the same, they are taken for one body. By Heron: h is four times the triangle of the centres and a crossing; it turns to
-   0, and the angles to 0 and pi, where one disc contains the other. */
+   mean of what a filled part gives; where the discs are the same, they are taken for one body. By Heron: h is four times the triangle of the centres and a crossing, whose angles
+   at the centres have half-angles of tangent h/((reach+d)(d +- apart)); where one disc contains the other h turns to 0,
+   and the angles to 0 and pi. */
 PRT__STATIC void prt__fiv_pair(const prt__fiv_seen *a, const prt__fiv_seen *b, prt__vec *twice) {
-    prt__vec x = a->x - b->x, y = a->y - b->y, z = a->z - b->z, d2 = x * x + y * y + z * z, d, h, lens;
-    prt__vec reach = a->disc + b->disc, apart = a->disc - b->disc, zero = prt__vec_set(0);
+    prt__vec d2 = prt__fiv_apart(a, b), d = prt__vec_root(d2), reach = a->disc + b->disc, apart = a->disc - b->disc;
+    prt__vec more = reach + d, zero = prt__vec_set(0), h, lens;
     prt__chosen same;
-    int c;
-    if (!prt__any((prt__chosen)(reach * reach > d2))) return;
-    d = prt__vec_root(d2);
-    h = prt__vec_root(prt__vec_most((reach - d) * (reach + d) * (d + apart) * (d - apart), zero));
-    lens = a->disc2 * prt__vec_angle(h, d2 + a->disc2 - b->disc2)
-           + b->disc2 * prt__vec_angle(h, d2 + b->disc2 - a->disc2);
-    lens = PRT__SELECT(reach > d, (lens - h * PRT__R(0.5)) * PRT__R(1 / PRT__PI), zero);
+    int twins, c;
+    h = prt__vec_root(prt__vec_most((reach - d) * more * (d + apart) * (d - apart), zero));
+    lens = a->disc2 * prt__vec_slope(h, more * prt__vec_most(d + apart, zero))
+           + b->disc2 * prt__vec_slope(h, more * prt__vec_most(d - apart, zero));
+    lens = PRT__SELECT(reach > d, (2 * lens - h * PRT__R(0.5)) * PRT__R(1 / PRT__PI), zero);
     same = d2 + apart * apart <= a->disc2 * PRT__FIV_SAME;
+    twins = prt__any(same);
     for (c = 0; c < 3; c++) {
-        prt__vec f = PRT__SELECT(same, prt__vec_set(1), a->filled[c]), g = PRT__SELECT(same, f, b->filled[c]);
-        prt__vec areas = f * a->disc2 + g * b->disc2 + PRT__REAL_MIN;
-        prt__vec both = lens * (f * g) * (a->taken[c] + b->taken[c]) / areas;
+        prt__vec f = a->filled[c], g = b->filled[c], areas, both;
+        if (twins) { f = PRT__SELECT(same, prt__vec_set(1), f); g = PRT__SELECT(same, f, g); }
+        areas = f * a->disc2 + g * b->disc2 + PRT__REAL_MIN;
+        both = lens * (f * g) * (a->taken[c] + b->taken[c]) / areas;
         twice[c] += prt__vec_least(both, prt__vec_least(a->taken[c], b->taken[c]));
     }
 }
@@ -6403,17 +6412,28 @@ PRT__STATIC void prt__fiv_pair(const prt__fiv_seen *a, const prt__fiv_seen *b, p
    looked up once more for each. The blocks do not depend on what is above, so that sums have one order. */
 enum { PRT__FIV_BLOCK = 64 };
 
+/* Adds what b and any of the others take together: most pairs are too far apart. */
+PRT__STATIC void prt__fiv_pairs(const prt__fiv_seen *others, int count, const prt__fiv_seen *b, prt__vec *twice) {
+    int meet[PRT__FIV_BLOCK], met = 0, k;
+    for (k = 0; k < count; k++) {                              /* without a branch to guess */
+        prt__vec reach = others[k].disc + b->disc;
+        meet[met] = k;
+        met += prt__any((prt__chosen)(reach * reach > prt__fiv_apart(&others[k], b)));
+    }
+    for (k = 0; k < met; k++) prt__fiv_pair(&others[meet[k]], b, twice);
+}
+
 /* left[c] = total - what all occluders take. */
 PRT__STATIC void prt__fiv_shade(const prt__fiv_scene *s, prt__vec left[3]) {
     prt__fiv_seen block[PRT__FIV_BLOCK + 1];
     prt__vec zero = prt__vec_set(0), sum[3], most[3], twice[3];
-    int pairs = !(s->flags & PRT_FIV_NO_OVERLAP), first, kept, k, j, c;
+    int pairs = !(s->flags & PRT_FIV_NO_OVERLAP), first, kept, k, c;
     for (c = 0; c < 3; c++) sum[c] = most[c] = twice[c] = zero;
     for (first = 0; first < s->count; first += PRT__FIV_BLOCK) {
         for (k = first, kept = 0; k < s->count && (pairs || k - first < PRT__FIV_BLOCK); k++) {
             prt__fiv_seen *one = &block[kept];
             if (!prt__fiv_see(s, k, one)) continue;
-            for (j = 0; pairs && j < kept; j++) prt__fiv_pair(&block[j], one, twice);
+            if (pairs) prt__fiv_pairs(block, kept, one, twice);
             if (k - first >= PRT__FIV_BLOCK) continue;
             kept += 1;
             for (c = 0; c < 3; c++) {
