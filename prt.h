@@ -931,10 +931,10 @@ PRTDEF prt_rgb prt_fiv_total(int size, const prt_rgb *total, prt_vec3 normal);
    there, so dot products with it are 0.
    Bounded: every finite input gives a finite result; what overflows is clamped to the largest finite number.
    Continuous in the place of every light (but where it meets x or P, where a direction has no limit), in the eye, and
-   in every vector of an occluder that is not zero, except that SS as the thesis has it begins abruptly at N.v = 0,
-   by all that the formula gives there: no baked occluder stands below, but one that moves, or a normal that turns, may
-   pass it. ss_fade > 0 multiplies SS with min(1, N.v/ss_fade), and then nothing jumps. occlusion, caustic and
-   specular_normal may have any length but zero; normals of points should be unit. */
+   in every vector of an occluder that is not zero, except that SS is cut off at N.v = 0, by a jump of all that the
+   formula gives there: what is below the horizon cannot shine on x. No baked occluder is, but one that moves, or a
+   normal that turns, may pass it. ss_fade > 0 multiplies SS with min(1, N.v/ss_fade), and then nothing jumps.
+   occlusion, caustic and specular_normal may have any length but zero; normals of points should be unit. */
 typedef struct prt_vo_occluder {       /* the thesis' eight vectors, with the two form factors beside them (7.2) */
     prt_vec3 position;                 /* mean visible position */
     prt_vec3 occlusion;                /* unit mean direction, zero: none */

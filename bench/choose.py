@@ -28,7 +28,8 @@ TRADES = [
     ("which sample set", "bake.md", ["bake-error.svg"]),
     ("how many bounces", "bounce.md", ["plots/bounce*.svg"]),
     ("moving occluders: size and storage of tables", "fiv.md", ["plots/fiv*.svg"]),
-    ("vector occluders: how many, which law", "vo.md", ["plots/vo-error.svg", "plots/vo-split.svg"]),
+    ("vector occluders: how many, which law", "vo.md", ["plots/vo-error.svg", "plots/vo-occluders.svg",
+                                                       "plots/vo-split.svg"]),
 ]
 
 

@@ -416,8 +416,8 @@ static void caustics_are_bounded(void **state) {
     }
 }
 
-/* SS alone, of an occluder that rises through the horizon, N.v = 0: as the thesis has it, it begins with a jump to what
-   the formula gives there; with ss_fade it grows from 0, nothing jumps, and it is the same from N.v = ss_fade on. */
+/* SS alone, of an occluder that rises through the horizon, N.v = 0: cut off there, it begins with a jump to what the
+   formula gives; with ss_fade it grows from 0, nothing jumps, and it is the same from N.v = ss_fade on. */
 static void ss_fades_in(void **state) {
     enum { STEPS = 4000 };
     const double fade = .25;
