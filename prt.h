@@ -207,8 +207,10 @@ PRTDEF prt_result prt_sh_eval_n (int bands, int count, const prt_vec3 *dirs, prt
 
 /* The same, structure of arrays: the fastest form. Coefficient i of direction k = (x[k], y[k], z[k]) at out[i*stride+k].
    stride  in values, >= count (PRT_ERR_COUNT); out[i*stride + count ...] is not written
-   Each direction is the same bits whatever count and place. Any stride is fast, multiples of a page included: rows are
-   written in sweeps of eight. Errors: PRT_ERR_BANDS, PRT_ERR_COUNT, PRT_ERR_NULL (unless count is 0).
+   Each direction is the same bits whatever count and place. To 10 bands any stride is fast, multiples of a page
+   included: rows are written in sweeps of eight. Above, a stride that is a multiple of a page takes 2 to 4 times as long
+   as one beside it: its rows compete for the same lines of the cache.
+   Errors: PRT_ERR_BANDS, PRT_ERR_COUNT, PRT_ERR_NULL (unless count is 0).
    Accuracy: that of prt_sh_eval to 10 bands; from 11 to 180 float stays float, 4e-6 at 13 bands, 9e-5 at 64.
    Cost: at 5 bands with AVX-512 below 1.5 x a memset of the output (docs/speed.md). */
 PRTDEF prt_result prt_sh_eval_soa(int bands, int count, const prt_real *x, const prt_real *y, const prt_real *z,
@@ -609,8 +611,8 @@ PRTDEF double prt_ch_norm(int l, int m);
    bands with the same operation counts as SH's; above, the recurrence
      C(l) = a z C(l-1) - c C(l-2),   a = a_SH sqrt(H(l-1,m)/H(l,m)),   c = a(l) a(l-1) (l+m-2)(l-1-m) / (4(l-2)(l-1)),
    from C(m,m) = Y(m,m), with a and c from tables to 64 bands; beyond, O(l) for each. Time: SH's within 5 % to 10 bands.
-   Above, one direction at a time takes 0.75 to 0.82 of SH's time, since SH makes its factors from roots; _soa the same
-   as SH with SSE2, and up to 1.15 of it with AVX-512, which waits for the table (bench jobs ch_eval, ch_eval_soa).
+   Above, one direction at a time takes 0.75 to 0.85 of SH's time, since SH makes its factors from roots; _soa runs the
+   same loop for both, within 5 % (bench jobs ch_eval, ch_eval_soa).
    Absolute error float/double, with that of the direction's length: 1.7e-6/4e-15 to 10 bands, 3.3e-6/6e-15 to 14,
    1.7e-5/4e-14 to 33, 8e-5/2e-13 to 64 (tests/test_ch.c). */
 PRTDEF prt_result prt_ch_eval    (int bands, prt_vec3 dir, prt_real *c);
@@ -1637,69 +1639,121 @@ typedef struct prt__sh_block {
     size_t stride;
 } prt__sh_block;
 
-PRT__INLINE void prt__sh_put(const prt__sh_block *b, int i, int vector, prt__vec v) {
-    int first = vector * PRT__LANES, lanes = b->items - first;
-    prt_real *to = b->to + (size_t)i * b->stride + first;
-    if (lanes >= PRT__LANES) prt__vec_store(to, v);
-    else if (lanes > 0) prt__vec_store_part(to, v, lanes);
+/* The factors of the bands below PRT__NEAR, a and c side by side, column after column: made once for all blocks, whose
+   loop then reads them one after the other, whatever they were made from. */
+typedef struct prt__sh_factors { prt_real pair[PRT__NEAR * (PRT__NEAR - 1)]; } prt__sh_factors;
+
+PRT__INLINE void prt__factors_with(prt__step_of *near_step, int bands, prt__sh_factors *factors) {
+    prt_real *to = factors->pair;
+    int l, m;
+    for (m = 0; m < bands; m++)
+        for (l = m + 1; l < bands && l < PRT__NEAR; l++) {
+            prt__sh_step s = near_step(l, m);
+            *to++ = (prt_real)s.a;
+            *to++ = (prt_real)s.c;
+        }
 }
 
-/* The vectors of a block stand side by side in the innermost loop: the factors are taken once for all of them, and the
-   rows are written in runs of whole cache lines. */
-PRT__INLINE void prt__recurrence_with_v(prt__step_of *near_step, prt__step_of *far_step, int bands, const prt__sh_block *b) {
-    prt__vec re[PRT__SH_BLOCK], im[PRT__SH_BLOCK], p1[PRT__SH_BLOCK], p2[PRT__SH_BLOCK];
+/* The vectors of a block stand side by side in the innermost loop, and the rows are written in runs of whole cache
+   lines. */
+typedef struct prt__sh_columns {
+    prt__vec re[PRT__SH_BLOCK], im[PRT__SH_BLOCK];             /* (x+iy)^m */
+    prt__vec p1[PRT__SH_BLOCK], p2[PRT__SH_BLOCK];             /* p(l,m), p(l-1,m) */
+} prt__sh_columns;
+
+PRT__INLINE void prt__sh_put(const prt__sh_block *b, int whole, prt_real *to, int vector, prt__vec v) {
+    int first = vector * PRT__LANES, lanes = b->items - first;
+    if (whole || lanes >= PRT__LANES) prt__vec_store(to + first, v);
+    else if (lanes > 0) prt__vec_store_part(to + first, v, lanes);
+}
+
+PRT__INLINE void prt__columns_put(const prt__sh_block *b, int whole, int l, int m, const prt__sh_columns *s) {
+    prt_real *minus = b->to + (size_t)PRT_SH_INDEX(l, -m) * b->stride;
+    prt_real *plus = b->to + (size_t)PRT_SH_INDEX(l, m) * b->stride;
+    int v;
+    for (v = 0; v < PRT__SH_BLOCK; v++) prt__sh_put(b, whole, minus, v, s->p1[v] * s->im[v]);
+    for (v = 0; v < PRT__SH_BLOCK; v++) prt__sh_put(b, whole, plus, v, s->p1[v] * s->re[v]);
+}
+
+PRT__INLINE void prt__columns_climb(const prt__sh_block *b, prt_real a, prt_real c, prt__sh_columns *s) {
+    int v;
+    for (v = 0; v < PRT__SH_BLOCK; v++) {
+        prt__vec p = a * (prt__vec_load(b->z + v * PRT__LANES) * s->p1[v]) - c * s->p2[v];
+        s->p2[v] = s->p1[v];
+        s->p1[v] = p;
+    }
+}
+
+PRT__INLINE void prt__columns_turn(const prt__sh_block *b, prt__sh_columns *s) {
+    int v;
+    for (v = 0; v < PRT__SH_BLOCK; v++) {
+        prt__vec x = prt__vec_load(b->x + v * PRT__LANES), y = prt__vec_load(b->y + v * PRT__LANES);
+        prt__vec turned = s->re[v] * x - s->im[v] * y;
+        s->im[v] = s->re[v] * y + s->im[v] * x;
+        s->re[v] = turned;
+    }
+}
+
+/* The rest of a column from PRT__NEAR on; apart, so that the loop below it calls nothing and keeps its registers */
+PRT__STATIC void prt__columns_far(prt__step_of *far_step, int bands, int m, const prt__sh_block *b, prt__sh_columns s) {
+    int l;
+    for (l = m < PRT__NEAR ? PRT__NEAR : m + 1; l < bands; l++) {
+        prt__sh_step k = far_step(l, m);
+        prt__columns_climb(b, (prt_real)k.a, (prt_real)k.c, &s);
+        prt__columns_put(b, 0, l, m, &s);
+    }
+}
+
+PRT__INLINE void prt__block_recurrence(prt__step_of *far_step, int bands, int whole, const prt__sh_factors *factors,
+                                       const prt__sh_block *b) {
+    const prt_real *pair = factors->pair;
+    prt__sh_columns s;
     double sector = 0;
     int l, m, v;
-    for (v = 0; v < PRT__SH_BLOCK; v++) { re[v] = prt__vec_set(1); im[v] = prt__vec_set(0); }
+    for (v = 0; v < PRT__SH_BLOCK; v++) { s.re[v] = prt__vec_set(1); s.im[v] = prt__vec_set(0); }
     for (m = 0; m < bands; m++) {
         sector = prt__sh_sector(m, sector);
-        for (v = 0; v < PRT__SH_BLOCK; v++) { p1[v] = prt__vec_set((prt_real)sector); p2[v] = prt__vec_set(0); }
-        for (l = m; l < bands; l++) {
-            prt__sh_step s = { 0, 0 };
-            prt_real a, c;
-            if (l > m) s = l < PRT__NEAR ? near_step(l, m) : far_step(l, m);
-            a = (prt_real)s.a;
-            c = (prt_real)s.c;
-            for (v = 0; v < PRT__SH_BLOCK; v++) {
-                if (l > m) {
-                    prt__vec p = a * (prt__vec_load(b->z + v * PRT__LANES) * p1[v]) - c * p2[v];
-                    p2[v] = p1[v];
-                    p1[v] = p;
-                }
-                prt__sh_put(b, PRT_SH_INDEX(l, -m), v, p1[v] * im[v]);
-                prt__sh_put(b, PRT_SH_INDEX(l, m), v, p1[v] * re[v]);
-            }
+        for (v = 0; v < PRT__SH_BLOCK; v++) { s.p1[v] = prt__vec_set((prt_real)sector); s.p2[v] = prt__vec_set(0); }
+        prt__columns_put(b, whole, m, m, &s);
+        for (l = m + 1; l < bands && l < PRT__NEAR; l++, pair += 2) {
+            prt__columns_climb(b, pair[0], pair[1], &s);
+            prt__columns_put(b, whole, l, m, &s);
         }
-        for (v = 0; v < PRT__SH_BLOCK; v++) {
-            prt__vec x = prt__vec_load(b->x + v * PRT__LANES), y = prt__vec_load(b->y + v * PRT__LANES);
-            prt__vec turned = re[v] * x - im[v] * y;
-            im[v] = re[v] * y + im[v] * x;
-            re[v] = turned;
-        }
+        if (bands > PRT__NEAR) prt__columns_far(far_step, bands, m, b, s);
+        prt__columns_turn(b, &s);
     }
+}
+
+/* One loop for every basis, so that each takes the same time */
+PRT__STATIC void prt__recurrence_v(prt__step_of *far_step, int bands, const prt__sh_factors *factors,
+                                   const prt__sh_block *b) {
+    if (b->items == PRT__SH_BLOCK_ITEMS) prt__block_recurrence(far_step, bands, 1, factors, b);
+    else prt__block_recurrence(far_step, bands, 0, factors, b);
 }
 
 /* What evaluates a basis: straight-line kernels for the low bands, a recurrence above. */
 typedef prt_real prt__recurrence(int bands, prt_vec3 d, const prt_real *f, prt_real *PRT__RESTRICT y, size_t stride);
-typedef void prt__recurrence_v(int bands, const prt__sh_block *b);
+typedef void prt__make_factors(int bands, prt__sh_factors *factors);
 typedef struct prt__basis {
     prt__sh_kernel *const *kernels;
     prt__sh_kernel_v *const *kernels_v;
     prt__sh_kernel_at *const *kernels_at;
     prt__recurrence *recurrence;
-    prt__recurrence_v *recurrence_v;
+    prt__make_factors *make_factors;
+    prt__step_of *far_step;
 } prt__basis;
 
 PRT__STATIC prt_real prt__sh_recurrence(int bands, prt_vec3 d, const prt_real *f, prt_real *PRT__RESTRICT y,
                                         size_t stride) {
     return prt__recurrence_with(prt__sh_near_step, prt__sh_far_step, bands, d, f, y, stride);
 }
-PRT__STATIC void prt__sh_recurrence_v(int bands, const prt__sh_block *b) {
-    prt__recurrence_with_v(prt__sh_near_step, prt__sh_far_step, bands, b);
+PRT__STATIC void prt__sh_make_factors(int bands, prt__sh_factors *factors) {
+    prt__factors_with(prt__sh_near_step, bands, factors);
 }
 
 static const prt__basis prt__sh_basis = {
-    prt__sh_kernels, prt__sh_kernels_v, prt__sh_kernels_at, prt__sh_recurrence, prt__sh_recurrence_v
+    prt__sh_kernels, prt__sh_kernels_v, prt__sh_kernels_at, prt__sh_recurrence, prt__sh_make_factors,
+    prt__sh_far_step
 };
 
 PRT__INLINE void prt__eval(const prt__basis *basis, int bands, prt_vec3 d, prt_real *y) {
@@ -1763,8 +1817,9 @@ PRT__STATIC prt_result prt__eval_n(const prt__basis *basis, int bands, int count
 }
 
 /* Up to a block of directions, padded with the first of them */
-PRT__STATIC void prt__eval_soa_block(const prt__basis *basis, int bands, int items, const prt_real *x, const prt_real *y,
-                                     const prt_real *z, prt_real *out, size_t stride) {
+PRT__STATIC void prt__eval_soa_block(const prt__basis *basis, int bands, const prt__sh_factors *factors, int items,
+                                     const prt_real *x, const prt_real *y, const prt_real *z, prt_real *out,
+                                     size_t stride) {
     prt_real columns[PRT_SH_COUNT(PRT__SH_KERNELS) * PRT__SH_BLOCK_ITEMS];
     prt__sh_block b;
     int k, i;
@@ -1775,7 +1830,7 @@ PRT__STATIC void prt__eval_soa_block(const prt__basis *basis, int bands, int ite
         int from = k < items ? k : 0;
         b.x[k] = x[from]; b.y[k] = y[from]; b.z[k] = z[from];
     }
-    if (bands > PRT__SH_KERNELS) { basis->recurrence_v(bands, &b); return; }
+    if (bands > PRT__SH_KERNELS) { prt__recurrence_v(basis->far_step, bands, factors, &b); return; }
     basis->kernels_v[bands - 1]((items + PRT__LANES - 1) / PRT__LANES, b.x, b.y, b.z, columns, PRT__SH_BLOCK_ITEMS);
     for (i = 0; i < PRT_SH_COUNT(bands); i++)
         memcpy(out + (size_t)i * stride, columns + i * PRT__SH_BLOCK_ITEMS, (size_t)items * sizeof *out);
@@ -1785,6 +1840,7 @@ enum { PRT__SH_CHUNK = 1024 };                                 /* directions a s
 
 PRT__STATIC prt_result prt__eval_soa(const prt__basis *basis, int bands, int count, const prt_real *x, const prt_real *y,
                                      const prt_real *z, prt_real *out, size_t stride) {
+    prt__sh_factors factors;
     int k = 0;
     if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
     if (count < 0 || stride < (size_t)count) return PRT_ERR_COUNT;
@@ -1800,8 +1856,9 @@ PRT__STATIC prt_result prt__eval_soa(const prt__basis *basis, int bands, int cou
             basis->kernels_v[bands - 1](vectors, x + k, y + k, z + k, out + k, stride);
             k += vectors * PRT__LANES;
         }
+    if (bands > PRT__SH_KERNELS) basis->make_factors(bands, &factors);
     for (; k < count; k += PRT__SH_BLOCK_ITEMS)
-        prt__eval_soa_block(basis, bands, count - k < PRT__SH_BLOCK_ITEMS ? count - k : PRT__SH_BLOCK_ITEMS,
+        prt__eval_soa_block(basis, bands, &factors, count - k < PRT__SH_BLOCK_ITEMS ? count - k : PRT__SH_BLOCK_ITEMS,
                             x + k, y + k, z + k, out + k, stride);
     return PRT_OK;
 }
@@ -5530,12 +5587,13 @@ PRT__STATIC prt_real prt__ch_recurrence(int bands, prt_vec3 d, const prt_real *f
                                         size_t stride) {
     return prt__recurrence_with(prt__ch_near_step, prt__ch_far_step, bands, d, f, y, stride);
 }
-PRT__STATIC void prt__ch_recurrence_v(int bands, const prt__sh_block *b) {
-    prt__recurrence_with_v(prt__ch_near_step, prt__ch_far_step, bands, b);
+PRT__STATIC void prt__ch_make_factors(int bands, prt__sh_factors *factors) {
+    prt__factors_with(prt__ch_near_step, bands, factors);
 }
 
 static const prt__basis prt__ch_basis = {
-    prt__ch_kernels, prt__ch_kernels_v, prt__ch_kernels_at, prt__ch_recurrence, prt__ch_recurrence_v
+    prt__ch_kernels, prt__ch_kernels_v, prt__ch_kernels_at, prt__ch_recurrence, prt__ch_make_factors,
+    prt__ch_far_step
 };
 
 /* A product of many integers and their inverses that keeps what rounding drops: value = (hi + lo) 2^exponent. */
