@@ -503,13 +503,13 @@ PRTDEF double prt_sh_triple(int l1, int m1, int l2, int m2, int l3, int m3);
 
    out = f g. f, g, out: n^2 values; out may alias f, g or both.
    Method: generated kernels. At 1 and 2 bands (3 and 4 too in batches) of the sum, coefficients of +-m taken as complex
-   numbers, pairs grouped, linear forms shared: 2 15 97 364 multiplications. At 3 to 6 bands by way of the Fourier series
-   on ceil((3n-2)/2) circles of latitude, at Gauss-Legendre nodes, a circle in each lane of a vector (docs/math.md).
-   Above, evaluation on a grid that is exact for the product, the same circles by 4 ceil((3n-2)/4) azimuths, mirror
-   symmetries used [Driscoll 1994]: about 10 n^3 multiply-adds instead of the 0.4 n^5 terms of the sum.
-   Cost with AVX-512, Zen 5: 12, 19, 34, 48 ns at 3, 4, 5, 6 bands, 1.0 us at 10, 2.4 us at 16, 0.25 ms at 64 (where
-   nodes and sines are computed each time: above 16 bands); with SSE2 12, 28, 48, 76 ns (gcc -O3; DirectXMath's
-   XMSHMultiply there: 16, 63, 205, 740). bench/ times it beside other libraries.
+   numbers, pairs grouped, linear forms shared: 2 15 97 364 multiplications. From 3 bands on by way of the Fourier series
+   on ceil((3n-2)/2) circles of latitude, at Gauss-Legendre nodes, exact for the product [Driscoll 1994], a circle in
+   each lane of a vector (docs/math.md): generated to 6 bands, a loop above, about 12 n^3 multiply-adds instead of the
+   0.4 n^5 terms of the sum.
+   Cost with AVX-512, Zen 5: 12, 19, 34, 48 ns at 3, 4, 5, 6 bands, 0.16, 0.19, 0.29, 1.0 us at 7, 8, 10, 16, and 90 us
+   at 64 (above 16 bands nodes are computed each time); with SSE2 12, 28, 48, 76 ns and 0.40, 0.54, 0.84, 3.3, 330 us
+   (gcc -O3; DirectXMath's XMSHMultiply there: 16, 63, 205, 740 ns). bench/ times it beside other libraries.
    Accuracy: to 16 bands within 3e-7 |f| |g| in float, 1e-15 in double (2-norms; measured 1.3e-7 and 2.4e-16,
    tests/test_product.c). Stack: at most 80 KB, in double 120 KB, for 64 bands.
    Errors: PRT_ERR_BANDS, PRT_ERR_NULL. Values are not checked; a NaN reaches every coefficient, or, in the kernels,
@@ -523,13 +523,14 @@ PRTDEF prt_result prt_sh_square(int bands, const prt_real *f, prt_real *out);
    stride >= count >= 0, else PRT_ERR_COUNT; pointers may be NULL if count is 0. out may be f, g or both (the same
    pointer). Each pair gets the same bits whatever count and place it comes in; they may differ from prt_sh_product's in
    the last places. Cost per pair at 3, 4, 5, 6 bands: 0.8, 4.2, 16, 34 ns with AVX-512, 1.9, 10, 24, 42 with AVX2, 3.8,
-   18, 54, 94 with SSE2: 4 to 20 times faster than XMSHMultiply. At 10 bands 0.37 us with AVX-512.
+   18, 54, 94 with SSE2: 4 to 20 times faster than XMSHMultiply. At 10 bands 0.2 us with AVX-512.
    Above 16 bands pair after pair, as prt_sh_product. Stack: to 110 KB. */
 PRTDEF prt_result prt_sh_product_soa(int bands, int count, const prt_real *f, const prt_real *g, prt_real *out,
                                      size_t stride);
 
 /* out = f times a function about +z: zonal[n], its m=0 coefficients, as for prt_sh_convolve. No azimuth takes part:
-   about 3 n^3 multiply-adds. out may alias f. (About another axis: turn f, multiply, turn back.) */
+   about 3 n^3 multiply-adds, 0.1 us at 6 bands with AVX-512, 0.6 us at 16. out may alias f. (About another axis: turn
+   f, multiply, turn back.) */
 PRTDEF prt_result prt_sh_product_zonal(int bands, const prt_real *f, const prt_real *zonal, prt_real *out);
 
 /* The matrix of multiplication by a fixed filter: matrix[n^2][n^2], symmetric, matrix f = filter times f truncated to n
@@ -1426,6 +1427,46 @@ PRT__INLINE void prt__quad_transpose(prt__quad m[4]) {
 PRT__INLINE prt__quad prt__quad_load(const prt_real *from) { prt__quad v; memcpy(&v, from, sizeof v); return v; }
 PRT__INLINE void prt__quad_store(prt_real *to, prt__quad v) { memcpy(to, &v, sizeof v); }
 #endif
+
+/* Sums of neighbouring lanes, those of a and then those of b */
+#if PRT__LANES == 1
+PRT__INLINE prt__vec prt__vec_pairwise(prt__vec a, prt__vec b) { return a + b; }
+#elif defined(__clang__) || __GNUC__ >= 12
+PRT__INLINE prt__vec prt__vec_pairwise(prt__vec a, prt__vec b) {
+#  if PRT__LANES == 2
+    return __builtin_shufflevector(a, b, 0, 2) + __builtin_shufflevector(a, b, 1, 3);
+#  elif PRT__LANES == 4
+    return __builtin_shufflevector(a, b, 0, 2, 4, 6) + __builtin_shufflevector(a, b, 1, 3, 5, 7);
+#  elif PRT__LANES == 8
+    return __builtin_shufflevector(a, b, 0, 2, 4, 6, 8, 10, 12, 14) +
+           __builtin_shufflevector(a, b, 1, 3, 5, 7, 9, 11, 13, 15);
+#  else
+    return __builtin_shufflevector(a, b, 0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30) +
+           __builtin_shufflevector(a, b, 1, 3, 5, 7, 9, 11, 13, 15, 17, 19, 21, 23, 25, 27, 29, 31);
+#  endif
+}
+#else
+PRT__INLINE prt__vec prt__vec_pairwise(prt__vec a, prt__vec b) {
+    prt__vec sum = a;
+    int i;
+    for (i = 0; i < PRT__LANES / 2; i++) {
+        sum[i] = a[2 * i] + a[2 * i + 1];
+        sum[PRT__LANES / 2 + i] = b[2 * i] + b[2 * i + 1];
+    }
+    return sum;
+}
+#endif
+
+/* The sums over the lanes of PRT__LANES vectors, which are used up */
+PRT__INLINE prt__vec prt__vec_sums(prt__vec v[PRT__LANES]) {
+    int width, i;
+    PRT__UNROLL
+    for (width = PRT__LANES / 2; width > 0; width /= 2) {
+        PRT__UNROLL
+        for (i = 0; i < width; i++) v[i] = prt__vec_pairwise(v[2 * i], v[2 * i + 1]);
+    }
+    return v[0];
+}
 
 /* ------------------------------------------------------------------------------------------------- >>types ---- */
 
@@ -4566,31 +4607,32 @@ PRTDEF double prt_sh_triple(int l1, int m1, int l2, int m2, int l3, int m3) {
     return prt__triple_ordered(l2, m2, l3, m3, l1, m1);
 }
 
-/* ---- products on a grid that is exact for them ----
+/* ---- products on circles of latitude ----
 
-   f, g and their product need the Gauss-Legendre nodes z_k, k < (3n-2)/2, and 4q >= 3n-2 azimuths, q = ceil((3n-2)/4).
-   Symmetries halve and quarter the work: nodes come in pairs +-z (even and odd l-m), azimuths at (j+1/2) pi/(2q) in
-   fours phi, pi-phi, pi+phi, -phi (even and odd m, cosines and sines). There are as many pairs of nodes as angles in a
-   quarter: q. A vector holds a node pair in each lane (one product) or a product in each lane (a batch). */
+   f, g and their product need the Gauss-Legendre nodes z_k, k < (3n-2)/2, in pairs +-z. On the circle at z a function is
+   a Fourier series of n terms, and series are multiplied as series. A vector holds a node pair in each lane, or a circle
+   in each lane where both of a pair fit, or (a batch) a product in each lane. */
 
 enum {
-    PRT__GRID_TABLES = 16,                                         /* generated: grids to so many bands */
-    PRT__QUARTER_MAX = (3 * PRT_MAX_BANDS + 1) / 4,
+    PRT__GRID_TABLES = 16,                                         /* generated: nodes to so many bands */
+    PRT__PAIRS_MAX = (3 * PRT_MAX_BANDS + 1) / 4,
     PRT__GROUP = PRT__LANES > 16 ? 1 : 16 / PRT__LANES             /* vectors of node pairs between two passes */
 };
 
-static const double *prt__grid_nodes(void), *prt__grid_weights(void), *prt__grid_sines(void);
+static const prt_real *prt__grid_nodes(void), *prt__grid_weights(void), *prt__grid_scales(void), *prt__grid_steps(void);
+
+/* Pairs of nodes +-z that products of so many bands need */
+PRT__INLINE int prt__node_pairs(int bands) { return (3 * bands + 1) / 4; }
 
 typedef struct prt__grid {
-    int bands, quarter;
-    prt_real z[PRT__QUARTER_MAX + 16], weight[PRT__QUARTER_MAX + 16];       /* z >= 0; padded: weight 0 */
-    prt_real sine[10 * PRT__QUARTER_MAX];                          /* sin(pi k/(4q)), k < 10q: cos is 2q further */
+    int bands, pairs;
+    prt_real z[PRT__PAIRS_MAX + 16], weight[PRT__PAIRS_MAX + 16];  /* z >= 0; padded: weight 0 */
 } prt__grid;
 
 /* All nodes z >= 0 of the Gauss-Legendre rule with count nodes, and their weights: prt__gauss_legendre for many nodes
    at once, each step of the recurrence over all of them, so that it vectorises. */
 PRT__STATIC void prt__gauss_legendre_all(int count, double *z, double *weight) {
-    double p[PRT__QUARTER_MAX], before[PRT__QUARTER_MAX];
+    double p[PRT__PAIRS_MAX], before[PRT__PAIRS_MAX];
     int half = (count + 1) / 2, step, k, i;
     for (i = 0; i < half; i++)
         z[i] = (1 - (count - 1) / (8.0 * count * count * count)) * cos(PRT__PI * (4 * i + 3) / (4 * count + 2));
@@ -4617,112 +4659,76 @@ PRT__STATIC void prt__gauss_legendre_all(int count, double *z, double *weight) {
 }
 
 /* The equator, where it is a node, stands for both of its pair: half the weight each. */
-PRT__STATIC void prt__grid_compute(prt__grid *grid, double *quarter_sine) {
-    double z[PRT__QUARTER_MAX], weight[PRT__QUARTER_MAX];
-    int q = grid->quarter, k;
-    prt__gauss_legendre_all((3 * grid->bands - 1) / 2, z, weight);
+PRT__STATIC void prt__grid_init(prt__grid *grid, int bands) {
+    double z[PRT__PAIRS_MAX], weight[PRT__PAIRS_MAX];
+    int q = prt__node_pairs(bands), k;
+    grid->bands = bands;
+    grid->pairs = q;
+    prt__gauss_legendre_all((3 * bands - 1) / 2, z, weight);
     for (k = 0; k < q; k++) {
         grid->z[k] = (prt_real)z[k];
-        grid->weight[k] = (prt_real)(weight[k] * (z[k] > 0 ? 0.5 : 0.25) * PRT__PI / q);
+        grid->weight[k] = (prt_real)(weight[k] * (z[k] > 0 ? 0.5 : 0.25) * PRT__PI);
     }
-    for (k = 0; k <= 2 * q; k++) quarter_sine[k] = sin(PRT__PI * k / (4 * q));
-}
-
-PRT__STATIC void prt__grid_init(prt__grid *grid, int bands) {
-    double computed[2 * PRT__QUARTER_MAX + 1];
-    const double *quarter_sine = computed;
-    int q = (3 * bands + 1) / 4, k, n, first = 0;
-    grid->bands = bands;
-    grid->quarter = q;
-    if (bands <= PRT__GRID_TABLES) {
-        for (n = 1; n < bands; n++) first += (3 * n + 1) / 4;
-        for (k = 0; k < q; k++) {
-            grid->z[k] = (prt_real)prt__grid_nodes()[first + k];
-            grid->weight[k] = (prt_real)prt__grid_weights()[first + k];
-        }
-        quarter_sine = prt__grid_sines() + q * q - 1;
-    } else prt__grid_compute(grid, computed);
     for (k = q; k < q + 16; k++) grid->z[k] = grid->weight[k] = 0;
-    for (k = 0; k <= 2 * q; k++) {
-        prt_real s = (prt_real)quarter_sine[k];
-        grid->sine[k] = grid->sine[4 * q - k] = s;
-        grid->sine[4 * q + k] = -s;
-        if (k) grid->sine[8 * q - k] = -s;
-        if (k < 2 * q) grid->sine[8 * q + k] = s;
-    }
 }
 
-/* Rows of azimuthal coefficients: cosine of m at [2m], sine at [2m+1]. */
+/* Rows of azimuthal coefficients: cosine of m at [2m], sine at [2m+1]; of the factors the mean is doubled. */
 typedef prt__vec prt__row[2 * PRT_MAX_BANDS];
 
-/* The samples of a row at one angle and its three mirror images, before they are combined: even and odd m, cosine
-   and sine */
-typedef struct prt__fourfold { prt__vec ce, co, se, so; } prt__fourfold;
+/* Sums of the four real products of complex numbers f and g */
+typedef struct prt__fourfold { prt__vec rr, ii, ri, ir; } prt__fourfold;
 
-PRT__INLINE prt__fourfold prt__fourfold_of(const prt__grid *grid, const prt__vec *row, int angle) {
-    int q = grid->quarter, step = 2 * angle + 1, k = 0, m;
+PRT__INLINE prt__fourfold prt__fourfold_zero(void) {
     prt__fourfold s;
-    s.ce = row[0];
-    s.co = s.se = s.so = prt__vec_set(0);
-    for (m = 1; m < grid->bands; m++) {
-        k += step;
-        if (k >= 8 * q) k -= 8 * q;
-        if (m & 1) {
-            s.co += grid->sine[k + 2 * q] * row[2 * m];
-            s.so += grid->sine[k] * row[2 * m + 1];
-        } else {
-            s.ce += grid->sine[k + 2 * q] * row[2 * m];
-            s.se += grid->sine[k] * row[2 * m + 1];
-        }
-    }
+    s.rr = s.ii = s.ri = s.ir = prt__vec_set(0);
     return s;
 }
 
-/* Four samples from a quad, and, but for a factor 4 in the weight, the way back */
-PRT__INLINE prt__fourfold prt__fourfold_mirror(prt__fourfold s) {
-    prt__fourfold r;
-    prt__vec c = s.ce + s.co, d = s.ce - s.co, a = s.se + s.so, b = s.se - s.so;
-    r.ce = c + a;                                                  /* phi */
-    r.co = d - b;                                                  /* pi - phi */
-    r.se = d + b;                                                  /* pi + phi */
-    r.so = c - a;                                                  /* -phi */
-    return r;
+PRT__INLINE void prt__fourfold_add(prt__fourfold *s, const prt__vec *f, const prt__vec *g) {
+    s->rr += f[0] * g[0];
+    s->ii += f[1] * g[1];
+    s->ri += f[0] * g[1];
+    s->ir += f[1] * g[0];
 }
 
-/* h = f g along one circle of latitude */
-PRT__STATIC void prt__row_product(const prt__grid *grid, const prt__vec *f, const prt__vec *g, prt__vec *h) {
-    prt__fourfold sample[PRT__QUARTER_MAX];
-    int q = grid->quarter, j, m;
-    for (j = 0; j < q; j++) {
-        prt__fourfold a = prt__fourfold_mirror(prt__fourfold_of(grid, f, j)), b, s;
-        prt__vec c, d;
-        b = f == g ? a : prt__fourfold_mirror(prt__fourfold_of(grid, g, j));
-        a.ce *= b.ce;
-        a.co *= b.co;
-        a.se *= b.se;
-        a.so *= b.so;
-        c = a.ce + a.so;
-        d = a.co + a.se;
-        s.ce = c + d;
-        s.co = c - d;
-        c = a.ce - a.so;
-        d = a.se - a.co;
-        s.se = c + d;
-        s.so = c - d;
-        sample[j] = s;
+/* Term m of f g, doubled, out of those with orders a + b = m and a - b = m, a, b >= 1 */
+PRT__INLINE void prt__series_term(int bands, int m, const prt__vec *f, const prt__vec *g, prt__vec *h) {
+    prt__fourfold sum = prt__fourfold_zero(), fg = sum, gf = sum;
+    int a;
+    for (a = 1; a < m; a++) prt__fourfold_add(&sum, f + 2 * a, g + 2 * (m - a));
+    for (a = m + 1; a < bands; a++) {
+        prt__fourfold_add(&fg, f + 2 * a, g + 2 * (a - m));
+        prt__fourfold_add(&gf, g + 2 * a, f + 2 * (a - m));
     }
-    for (m = 0; m < grid->bands; m++) {
-        prt__vec c = prt__vec_set(0), s = prt__vec_set(0);
-        int k = m;
-        for (j = 0; j < q; j++) {
-            c += grid->sine[k + 2 * q] * (m & 1 ? sample[j].co : sample[j].ce);
-            s += grid->sine[k] * (m & 1 ? sample[j].so : sample[j].se);
-            k += 2 * m;
-            if (k >= 8 * q) k -= 8 * q;
-        }
-        h[2 * m] = c;
-        h[2 * m + 1] = s;
+    h[2 * m] = (f[0] * g[2 * m] + g[0] * f[2 * m]) + (sum.rr - sum.ii) + (fg.rr + fg.ii) + (gf.rr + gf.ii);
+    h[2 * m + 1] = (f[0] * g[2 * m + 1] + g[0] * f[2 * m + 1]) + (sum.ri + sum.ir) + (fg.ir - fg.ri) + (gf.ir - gf.ri);
+}
+
+/* The same of f f */
+PRT__INLINE void prt__series_term_square(int bands, int m, const prt__vec *f, prt__vec *h) {
+    prt__fourfold sum = prt__fourfold_zero(), ff = sum;
+    int a;
+    for (a = 1; 2 * a < m; a++) prt__fourfold_add(&sum, f + 2 * a, f + 2 * (m - a));
+    for (a = m + 1; a < bands; a++) prt__fourfold_add(&ff, f + 2 * a, f + 2 * (a - m));
+    h[2 * m] = 2 * (f[0] * f[2 * m] + (sum.rr - sum.ii) + (ff.rr + ff.ii));
+    h[2 * m + 1] = 2 * (f[0] * f[2 * m + 1] + (sum.ri + sum.ir) + (ff.ir - ff.ri));
+    if (m & 1) return;
+    h[2 * m] += f[m] * f[m] - f[m + 1] * f[m + 1];
+    h[2 * m + 1] += 2 * (f[m] * f[m + 1]);
+}
+
+/* h = 2 f g along one circle of latitude, its mean doubled once more */
+PRT__STATIC void prt__row_product(int bands, const prt__vec *f, const prt__vec *g, prt__vec *h) {
+    prt__vec mean = PRT__R(0.5) * (f[0] * g[0]), other = prt__vec_set(0);
+    int m;
+    for (m = 1; m < bands; m++) {
+        mean += f[2 * m] * g[2 * m];
+        other += f[2 * m + 1] * g[2 * m + 1];
     }
+    h[0] = 2 * (mean + other);
+    h[1] = prt__vec_set(0);
+    if (f == g) for (m = 1; m < bands; m++) prt__series_term_square(bands, m, f, h);
+    else for (m = 1; m < bands; m++) prt__series_term(bands, m, f, g, h);
 }
 
 typedef struct prt__grid_step { prt_real a, c; } prt__grid_step;
@@ -4807,8 +4813,12 @@ PRT__INLINE void prt__ladder_climb(prt__ladder *s, prt__grid_step step) {
 /* Rows of one function on the circles at +z and -z */
 typedef struct prt__rows { prt__row plus, minus; } prt__rows;
 
-/* The row coefficients of column m from its sums over even and odd l-m, cosine and sine */
-PRT__INLINE void prt__rows_put(prt__rows *rows, int m, const prt__vec *sum) {
+/* The row coefficients of column m from its sums over even and odd l-m, cosine and sine; the mean doubled */
+PRT__INLINE void prt__rows_put(prt__rows *rows, int m, prt__vec *sum) {
+    if (m == 0) {
+        sum[0] *= 2;
+        sum[1] *= 2;
+    }
     rows->plus[2 * m] = sum[0] + sum[1];
     rows->minus[2 * m] = sum[0] - sum[1];
     rows->plus[2 * m + 1] = sum[2] + sum[3];
@@ -4895,86 +4905,235 @@ PRT__STATIC void prt__grid_project(int bands, const prt_real *z, int vectors, co
 }
 
 /* h = f g on both rows, then their even and odd parts times the weight */
-PRT__STATIC void prt__rows_product(const prt__grid *grid, prt__vec weight, const prt__rows *f, const prt__rows *g,
-                                   prt__rows *h) {
+PRT__STATIC void prt__rows_product(int bands, prt__vec weight, const prt__rows *f, const prt__rows *g, prt__rows *h) {
     int i;
-    prt__row_product(grid, f->plus, g->plus, h->plus);
-    prt__row_product(grid, f->minus, g->minus, h->minus);
-    for (i = 0; i < 2 * grid->bands; i++) {
+    prt__row_product(bands, f->plus, g->plus, h->plus);
+    prt__row_product(bands, f->minus, g->minus, h->minus);
+    for (i = 0; i < 2 * bands; i++) {
         prt__vec plus = h->plus[i], minus = h->minus[i];
         h->plus[i] = weight * (plus + minus);
         h->minus[i] = weight * (plus - minus);
     }
 }
 
-/* out = f g; reads f and g to the end before it writes */
-PRT__STATIC void prt__grid_product(int bands, const prt_real *f, const prt_real *g, prt_real *out) {
+/* out = f g for any number of bands; reads f and g to the end before it writes */
+PRT__STATIC void prt__ladder_product(int bands, const prt_real *f, const prt_real *g, prt_real *out) {
     prt__grid grid;
     prt__rows rf, rg, rh[PRT__GROUP];
     prt_real sum[PRT_SH_COUNT(PRT_MAX_BANDS)];
     int first, k;
     prt__grid_init(&grid, bands);
     memset(sum, 0, sizeof(prt_real) * (size_t)PRT_SH_COUNT(bands));
-    for (first = 0; first < grid.quarter; first += PRT__GROUP * PRT__LANES) {
-        for (k = 0; k < PRT__GROUP && first + k * PRT__LANES < grid.quarter; k++) {
+    for (first = 0; first < grid.pairs; first += PRT__GROUP * PRT__LANES) {
+        for (k = 0; k < PRT__GROUP && first + k * PRT__LANES < grid.pairs; k++) {
             const int node = first + k * PRT__LANES;
             prt__grid_rows(bands, grid.z + node, f, g, &rf, &rg);
-            prt__rows_product(&grid, prt__vec_load(grid.weight + node), &rf, f == g ? &rf : &rg, &rh[k]);
+            prt__rows_product(bands, prt__vec_load(grid.weight + node), &rf, f == g ? &rf : &rg, &rh[k]);
         }
         prt__grid_project(bands, grid.z + first, k, rh, sum);
     }
     memcpy(out, sum, sizeof(prt_real) * (size_t)PRT_SH_COUNT(bands));
 }
 
-/* f times a function of z alone: column by column, no azimuth. Rows of the zonal factor: even l at [0], odd l at
-   [1]. */
-PRT__STATIC void prt__zonal_product(int bands, const prt_real *f, const prt_real *zonal, prt_real *out) {
+/* To PRT__GRID_TABLES bands the columns p(l,m) sqrt(1-z^2)^m are kept between the two transforms, monic: each is
+   z p(l-1) - step p(l-2), and what norms them waits in prt__grid_scales for the coefficients. */
+enum {
+    PRT__COLUMNS = PRT__GRID_TABLES * (PRT__GRID_TABLES + 1) / 2,
+    PRT__COLUMN_GROUPS = ((3 * PRT__GRID_TABLES + 1) / 4 + PRT__LANES - 1) / PRT__LANES
+};
+typedef struct prt__columns {
+    int bands, groups, whole;                                      /* whole: lanes hold both circles of a pair */
+    prt__vec weight[PRT__COLUMN_GROUPS], p[PRT__COLUMN_GROUPS][PRT__COLUMNS];
+} prt__columns;
+
+PRT__INLINE void prt__columns_climb_all(int bands, prt__vec z, prt__vec *p) {
+    prt__vec radius = prt__vec_root((1 - z) * (1 + z)), sector = prt__vec_set(1);
+    int l, m;
+    for (m = 0; m < bands; m++) {
+        const prt_real *step = prt__grid_steps() + m * (m + 1) / 2 + m;
+        prt__vec p1 = sector, p2 = prt__vec_set(0);
+        *p++ = p1;
+        for (l = m + 1; l < bands; l++, step += l - 1) {
+            prt__vec next = z * p1 - *step * p2;
+            p2 = p1;
+            *p++ = p1 = next;
+        }
+        sector *= radius;
+    }
+}
+
+/* A vector of a table's row; if whole, its first half once more, times sign */
+PRT__INLINE prt__vec prt__grid_lanes(const prt_real *row, int whole, prt_real sign) {
+    prt_real lane[PRT__LANES];
+    int k, half = PRT__LANES / 2;
+    memcpy(lane, row, sizeof lane);
+    for (k = 0; whole && k < half; k++) lane[half + k] = sign * lane[k];
+    return prt__vec_load(lane);
+}
+
+/* The tables hold PRT__GRID_TABLES values for each number of bands, those past the last node 0. */
+PRT__INLINE void prt__columns_init(prt__columns *c, int bands, int whole) {
+    int group, at = (bands - 1) * PRT__GRID_TABLES;
+    c->bands = bands;
+    c->whole = whole;
+    c->groups = whole ? 1 : (prt__node_pairs(bands) + PRT__LANES - 1) / PRT__LANES;
+    for (group = 0; group < c->groups; group++, at += PRT__LANES) {
+        c->weight[group] = prt__grid_lanes(prt__grid_weights() + at, whole, 1);
+        prt__columns_climb_all(bands, prt__grid_lanes(prt__grid_nodes() + at, whole, -1), c->p[group]);
+    }
+}
+
+/* The rows of one function from its coefficients, already scaled */
+PRT__INLINE void prt__columns_rows(int bands, const prt__vec *p, const prt_real *f, prt__rows *rows) {
+    int l, m;
+    for (m = 0; m < bands; m++) {
+        prt__vec sum[4] = { prt__vec_set(0), prt__vec_set(0), prt__vec_set(0), prt__vec_set(0) };
+        for (l = m; l + 1 < bands; l += 2, p += 2) {
+            sum[0] += f[PRT_SH_INDEX(l, m)] * p[0];
+            sum[2] += f[PRT_SH_INDEX(l, -m)] * p[0];
+            sum[1] += f[PRT_SH_INDEX(l + 1, m)] * p[1];
+            sum[3] += f[PRT_SH_INDEX(l + 1, -m)] * p[1];
+        }
+        if (l < bands) {
+            sum[0] += f[PRT_SH_INDEX(l, m)] * *p;
+            sum[2] += f[PRT_SH_INDEX(l, -m)] * *p;
+            p++;
+        }
+        prt__rows_put(rows, m, sum);
+    }
+    rows->plus[1] = rows->minus[1] = prt__vec_set(0);              /* not what l = m = 0 read as its sine */
+}
+
+/* out: the projection of rows already weighted, even and odd l-m apart unless whole */
+PRT__INLINE void prt__columns_project(const prt__columns *c, const prt__rows *rows, prt_real *out) {
+    const prt_real *scale = prt__grid_scales();
+    prt__vec term[PRT__GRID_TABLES * PRT__GRID_TABLES + PRT__LANES];
+    prt_real sum[PRT__GRID_TABLES * PRT__GRID_TABLES + PRT__LANES];
+    const int n = PRT_SH_COUNT(c->bands);
+    int group, l, m, i;
+    for (group = 0; group < c->groups; group++) {
+        const prt__vec *p = c->p[group];
+        for (m = 0; m < c->bands; m++)
+            for (l = m; l < c->bands; l++, p++) {
+                const prt__vec *row = (c->whole || !((l - m) & 1) ? rows[group].plus : rows[group].minus) + 2 * m;
+                prt__vec *plus = term + PRT_SH_INDEX(l, m), *minus = term + PRT_SH_INDEX(l, -m);
+                if (group) {
+                    *plus += *p * row[0];
+                    if (m) *minus += *p * row[1];
+                } else {
+                    *minus = *p * row[1];
+                    *plus = *p * row[0];
+                }
+            }
+    }
+    for (i = n; i < n + PRT__LANES; i++) term[i] = prt__vec_set(0);
+    for (i = 0; i < n; i += PRT__LANES) prt__vec_store(sum + i, prt__vec_sums(term + i) * prt__vec_load(scale + i));
+    memcpy(out, sum, sizeof(prt_real) * (size_t)n);
+}
+
+/* out = f g, to PRT__GRID_TABLES bands; reads f and g to the end before it writes */
+PRT__INLINE void prt__columns_product(int bands, int whole, const prt_real *f, const prt_real *g, prt_real *out) {
+    const prt_real *scale = prt__grid_scales();
+    prt_real a[PRT__GRID_TABLES * PRT__GRID_TABLES], b[PRT__GRID_TABLES * PRT__GRID_TABLES];
+    prt__columns c;
+    prt__rows rf, rg, rh[PRT__COLUMN_GROUPS];
+    const prt__rows *other = f == g ? &rf : &rg;
+    const int n = PRT_SH_COUNT(bands);
+    int group, i;
+    prt__columns_init(&c, bands, whole);
+    for (i = 0; i < n; i++) a[i] = f[i] * scale[i];
+    if (f != g) for (i = 0; i < n; i++) b[i] = g[i] * scale[i];
+    for (group = 0; group < c.groups; group++) {
+        prt__columns_rows(bands, c.p[group], a, &rf);
+        if (f != g) prt__columns_rows(bands, c.p[group], b, &rg);
+        if (whole) {
+            prt__row_product(bands, rf.plus, other->plus, rh[0].plus);
+            for (i = 0; i < 2 * bands; i++) rh[0].plus[i] *= c.weight[0];
+        } else prt__rows_product(bands, c.weight[group], &rf, other, &rh[group]);
+    }
+    prt__columns_project(&c, rh, out);
+}
+
+PRT__STATIC void prt__grid_product(int bands, const prt_real *f, const prt_real *g, prt_real *out) {
+    if (bands > PRT__GRID_TABLES) prt__ladder_product(bands, f, g, out);
+    else if (2 * prt__node_pairs(bands) <= PRT__LANES) prt__columns_product(bands, 1, f, g, out);
+    else prt__columns_product(bands, 0, f, g, out);
+}
+
+/* rows times a function of z alone, of which even and odd are the values at +z over even and odd l; no azimuth */
+PRT__INLINE void prt__rows_zonal(int bands, int whole, prt__vec weight, prt__vec even, prt__vec odd, prt__rows *rows) {
+    int i;
+    weight *= 2;
+    for (i = 0; i < 2 * bands; i++) {
+        prt__vec plus = rows->plus[i] * (even + odd), minus = rows->minus[i] * (even - odd);
+        rows->plus[i] = weight * (whole ? plus : plus + minus);
+        if (!whole) rows->minus[i] = weight * (plus - minus);
+    }
+}
+
+PRT__STATIC void prt__ladder_zonal(int bands, const prt_real *f, const prt_real *zonal, prt_real *out) {
     prt__grid grid;
     prt__rows rows;
-    int q, first, l, k;
+    int first, l;
     prt__grid_init(&grid, bands);
-    q = grid.quarter;
     memset(out, 0, sizeof(prt_real) * (size_t)PRT_SH_COUNT(bands));
-    for (first = 0; first < q; first += PRT__LANES) {
-        prt__vec even = prt__vec_set(0), odd = prt__vec_set(0);
-        prt__vec circle = (prt_real)(4 * q) * prt__vec_load(grid.weight + first);      /* all azimuths: 2 pi w */
+    for (first = 0; first < grid.pairs; first += PRT__LANES) {
+        prt__vec part[2] = { prt__vec_set(0), prt__vec_set(0) };
         prt__ladder s;
         prt__ladder_init(&s, grid.z + first, bands);
         prt__ladder_column(&s, 0);
         for (l = 0; l < bands; l++) {
             if (l) prt__ladder_climb(&s, prt__grid_factors(l, 0));
-            if (l & 1) odd += zonal[l] * s.p1;
-            else even += zonal[l] * s.p1;
+            part[l & 1] += zonal[l] * s.p1;
         }
         prt__grid_rows(bands, grid.z + first, f, f, &rows, &rows);
-        for (k = 0; k < 2 * bands; k++) {
-            prt__vec plus = rows.plus[k] * (even + odd), minus = rows.minus[k] * (even - odd);
-            prt__vec weight = k < 2 ? circle : PRT__R(0.5) * circle;               /* int 1 or cos^2 */
-            rows.plus[k] = weight * (plus + minus);
-            rows.minus[k] = weight * (plus - minus);
-        }
+        prt__rows_zonal(bands, 0, prt__vec_load(grid.weight + first), part[0], part[1], &rows);
         prt__grid_project(bands, grid.z + first, 1, &rows, out);
     }
 }
 
+PRT__STATIC void prt__columns_zonal(int bands, const prt_real *f, const prt_real *zonal, prt_real *out) {
+    const prt_real *scale = prt__grid_scales();
+    prt_real a[PRT__GRID_TABLES * PRT__GRID_TABLES];
+    prt__columns c;
+    prt__rows rows[PRT__COLUMN_GROUPS];
+    const int n = PRT_SH_COUNT(bands);
+    int group, i, l;
+    prt__columns_init(&c, bands, 2 * prt__node_pairs(bands) <= PRT__LANES);
+    for (i = 0; i < n; i++) a[i] = f[i] * scale[i];
+    for (group = 0; group < c.groups; group++) {
+        prt__vec part[2] = { prt__vec_set(0), prt__vec_set(0) };
+        for (l = 0; l < bands; l++) part[l & 1] += zonal[l] * scale[PRT_SH_INDEX(l, 0)] * c.p[group][l];
+        prt__columns_rows(bands, c.p[group], a, &rows[group]);
+        prt__rows_zonal(bands, c.whole, c.weight[group], part[0], part[1], &rows[group]);
+    }
+    prt__columns_project(&c, rows, out);
+}
+
 /* ---- batches: a product in each lane ---- */
 
-/* p(l,m) sqrt(1-z^2)^m for the bands of a tabulated grid at one node, column after column */
-PRT__STATIC void prt__node_column(int bands, prt_real z, const prt__grid_step *steps, prt_real *p) {
-    prt_real radius = prt__sqrt((1 - z) * (1 + z)), power = 1;
-    double factor = 0;
-    int l, m;
-    for (m = 0; m < bands; m++) {
-        prt_real p1, p2 = 0;
-        factor = prt__sh_sector(m, factor);
-        *p++ = p1 = (prt_real)factor * power;
-        for (l = m + 1; l < bands; l++) {
-            const prt__grid_step *step = &steps[l * (l - 1) / 2 + m];
-            prt_real next = step->a * (z * p1) - step->c * p2;
-            p2 = p1;
-            *p++ = p1 = next;
-        }
-        power *= radius;
+/* p(l,m) sqrt(1-z^2)^m at the nodes of a tabulated grid, column after column, and the weights */
+typedef struct prt__grid_block {
+    int bands;
+    prt_real weight[(3 * PRT__GRID_TABLES + 1) / 4], p[(3 * PRT__GRID_TABLES + 1) / 4][PRT__COLUMNS];
+} prt__grid_block;
+
+PRT__STATIC void prt__grid_block_init(prt__grid_block *block, int bands) {
+    const prt_real *scale = prt__grid_scales();
+    prt__columns c;
+    int k, l, m;
+    prt__columns_init(&c, bands, 0);
+    block->bands = bands;
+    for (k = 0; k < prt__node_pairs(bands); k++) {
+        const prt__vec *p = c.p[k / PRT__LANES];
+        prt_real *to = block->p[k], lane[PRT__LANES];
+        prt__vec_store(lane, c.weight[k / PRT__LANES]);
+        block->weight[k] = lane[k % PRT__LANES];
+        for (m = 0; m < bands; m++)
+            for (l = m; l < bands; l++, p++) {
+                prt__vec_store(lane, *p);
+                *to++ = lane[k % PRT__LANES] * scale[PRT_SH_INDEX(l, m)];
+            }
     }
 }
 
@@ -5002,26 +5161,25 @@ PRT__STATIC void prt__node_project(int bands, const prt_real *p, const prt__rows
 }
 
 /* PRT__LANES products at once; bands <= PRT__GRID_TABLES */
-PRT__STATIC void prt__grid_product_v(const prt__grid *grid, const prt__grid_step *steps, const prt_real *f,
-                                     const prt_real *g, prt_real *out, size_t stride) {
-    prt_real p[PRT__GRID_TABLES * (PRT__GRID_TABLES + 1) / 2];
+PRT__STATIC void prt__grid_product_v(const prt__grid_block *block, const prt_real *f, const prt_real *g, prt_real *out,
+                                     size_t stride) {
     prt__vec sum[PRT__GRID_TABLES * PRT__GRID_TABLES];
     prt__rows rf, rg, rh;
-    int n = PRT_SH_COUNT(grid->bands), i, k;
+    const int bands = block->bands, n = PRT_SH_COUNT(bands);
+    int i, k;
     for (i = 0; i < n; i++) sum[i] = prt__vec_set(0);
-    for (k = 0; k < grid->quarter; k++) {
-        prt__node_column(grid->bands, grid->z[k], steps, p);
-        prt__node_rows(grid->bands, p, f, stride, &rf);
-        if (f != g) prt__node_rows(grid->bands, p, g, stride, &rg);
-        prt__rows_product(grid, prt__vec_set(grid->weight[k]), &rf, f == g ? &rf : &rg, &rh);
-        prt__node_project(grid->bands, p, &rh, sum);
+    for (k = 0; k < prt__node_pairs(bands); k++) {
+        prt__node_rows(bands, block->p[k], f, stride, &rf);
+        if (f != g) prt__node_rows(bands, block->p[k], g, stride, &rg);
+        prt__rows_product(bands, prt__vec_set(block->weight[k]), &rf, f == g ? &rf : &rg, &rh);
+        prt__node_project(bands, block->p[k], &rh, sum);
     }
     for (i = 0; i < n; i++) prt__vec_store(out + (size_t)i * stride, sum[i]);
 }
 
 /* ---- 3 to 6 bands: generated rows and products of rows; see codegen/kernel_nodes.c ----
 
-   The same nodes as the grid's, but series are multiplied as series. A vector holds a circle in each lane (one product;
+   The same nodes, with weights that one table serves all three functions. A vector holds a circle in each lane (one product;
    the mirror images at -z too, where they fit beside) or a product in each lane (a batch). */
 
 enum {
@@ -5041,8 +5199,7 @@ static prt__terms_kernel prt__sh_terms_3, prt__sh_terms_4, prt__sh_terms_5, prt_
 static prt__row_kernel_v prt__row_product_3_v, prt__row_product_4_v, prt__row_product_5_v, prt__row_product_6_v;
 static const prt_real *prt__nodes_3(void), *prt__nodes_4(void), *prt__nodes_5(void), *prt__nodes_6(void);
 
-/* Pairs of nodes +-z, and the pairs that a row of the table has room for */
-PRT__INLINE int prt__node_pairs(int bands) { return (3 * bands + 1) / 4; }
+/* The pairs of nodes that a row of the table has room for */
 PRT__INLINE int prt__node_room(int bands) { return bands == 3 ? 2 : 4; }
 
 /* Even and odd parts from rows at z and -z */
@@ -5210,22 +5367,15 @@ PRT__STATIC void prt__lanes_in(int count, const prt_real *from, size_t stride, i
         prt__vec_store(block + i * PRT__LANES, prt__vec_load_part(from + (size_t)i * stride, lanes));
 }
 
-/* What a batch of so many bands prepares: the factors of its nodes, or its grid */
+/* What a batch of so many bands prepares: the factors of its nodes */
 typedef struct prt__batch {
     prt__node_block block;
-    prt__grid grid;
-    prt__grid_step steps[PRT__GRID_TABLES * (PRT__GRID_TABLES - 1) / 2];
+    prt__grid_block grid;
 } prt__batch;
 
 PRT__STATIC void prt__batch_init(prt__batch *batch, int bands) {
-    int l, m;
-    if (bands <= PRT__NODE_BANDS) {
-        if (bands > 4) prt__node_block_init(&batch->block, bands);
-        return;
-    }
-    prt__grid_init(&batch->grid, bands);
-    for (l = 1; l < bands; l++)
-        for (m = 0; m < l; m++) batch->steps[l * (l - 1) / 2 + m] = prt__grid_factors(l, m);
+    if (bands > PRT__NODE_BANDS) prt__grid_block_init(&batch->grid, bands);
+    else if (bands > 4) prt__node_block_init(&batch->block, bands);
 }
 
 PRT__STATIC void prt__product_lanes(int bands, const prt__batch *batch, const prt_real *f, const prt_real *g,
@@ -5237,7 +5387,7 @@ PRT__STATIC void prt__product_lanes(int bands, const prt__batch *batch, const pr
     case 4: prt__sh_product_4_v(f, g, out, stride); break;
     case 5: prt__product_5_block(&batch->block, f, g, out, stride); break;
     case 6: prt__product_6_block(&batch->block, f, g, out, stride); break;
-    default: prt__grid_product_v(&batch->grid, batch->steps, f, g, out, stride);
+    default: prt__grid_product_v(&batch->grid, f, g, out, stride);
     }
 }
 
@@ -5293,7 +5443,8 @@ PRTDEF prt_result prt_sh_product_zonal(int bands, const prt_real *f, const prt_r
     prt_real sum[PRT_SH_COUNT(PRT_MAX_BANDS)];
     if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
     if (!f || !zonal || !out) return PRT_ERR_NULL;
-    prt__zonal_product(bands, f, zonal, sum);
+    if (bands > PRT__GRID_TABLES) prt__ladder_zonal(bands, f, zonal, sum);
+    else prt__columns_zonal(bands, f, zonal, sum);
     memcpy(out, sum, sizeof(prt_real) * (size_t)PRT_SH_COUNT(bands));
     return PRT_OK;
 }
@@ -14184,107 +14335,227 @@ PRT__STATIC const double *prt__window_positive(void) {
 
 /* BEGIN GENERATED: prt_codegen --table grids --count 16 */
 /* nodes of the product grids, z >= 0 */
-PRT__STATIC const double *prt__grid_nodes(void) {
-    static const double table[100] = {
-        0.0, 0.57735026918962576451, 0.86113631159405257522, 0.3399810435848562648, 0.9061798459386639928,
-        0.53846931010568309104, 0.0, 0.94910791234275852453, 0.74153118559939443986, 0.40584515137739716691,
-        0.0, 0.96028985649753623168, 0.79666647741362673959, 0.52553240991632898582, 0.18343464249564980494,
-        0.97390652851717172008, 0.86506336668898451073, 0.67940956829902440623, 0.4333953941292471908,
-        0.14887433898163121088, 0.9782286581460569928, 0.88706259976809529908, 0.73015200557404932409,
-        0.51909612920681181593, 0.26954315595234497233, 0.0, 0.98418305471858814947, 0.91759839922297796521,
-        0.80157809073330991279, 0.64234933944034022064, 0.44849275103644685288, 0.23045831595513479407,
-        0.0, 0.98628380869681233884, 0.92843488366357351734, 0.82720131506976499319, 0.68729290481168547015,
-        0.51524863635815409197, 0.31911236892788976044, 0.10805494870734366207, 0.9894009349916499326,
-        0.94457502307323257608, 0.86563120238783174388, 0.7554044083550030339, 0.61787624440264374845,
-        0.45801677765722738634, 0.28160355077925891323, 0.095012509837637440185, 0.99057547531441733568,
-        0.95067552176876776122, 0.88023915372698590212, 0.78151400389680140693, 0.65767115921669076585,
-        0.51269053708647696789, 0.3512317634538763153, 0.17848418149584785585, 0.0, 0.99240684384358440319,
-        0.96020815213483003085, 0.90315590361481790164, 0.82271465653714282498, 0.72096617733522937862,
-        0.60054530466168102347, 0.46457074137596094572, 0.31656409996362983199, 0.16035864564022537587,
-        0.0, 0.99312859918509492479, 0.96397192727791379127, 0.91223442825132590587, 0.83911697182221882339,
-        0.74633190646015079261, 0.63605368072651502545, 0.510867001950827098, 0.37370608871541956067,
-        0.22778585114164507808, 0.076526521133497333755, 0.99429458548239929207, 0.97006049783542872712,
-        0.92695677218717400052, 0.86581257772030013654, 0.787816805979208162, 0.69448726318668278005,
-        0.58764040350691159296, 0.46935583798675702641, 0.34193582089208422516, 0.20786042668822128548,
-        0.069739273319722221214, 0.99476933499755212352, 0.97254247121811523196, 0.93297108682601610235,
-        0.87675235827044166738, 0.80488840161883989215, 0.71866136313195019446, 0.61960987576364615639,
-        0.50950147784600754969, 0.39030103803029083142, 0.26413568097034493053, 0.13325682429846611093,
-        0.0
+PRT__STATIC const prt_real *prt__grid_nodes(void) {
+    static const prt_real table[256] PRT__ALIGNED = {
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, PRT__R(0.57735026918962576451),
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, PRT__R(0.86113631159405257522), PRT__R(0.3399810435848562648),
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, PRT__R(0.9061798459386639928), PRT__R(0.53846931010568309104),
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, PRT__R(0.94910791234275852453), PRT__R(0.74153118559939443986),
+        PRT__R(0.40584515137739716691), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, PRT__R(0.96028985649753623168),
+        PRT__R(0.79666647741362673959), PRT__R(0.52553240991632898582), PRT__R(0.18343464249564980494),
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, PRT__R(0.97390652851717172008), PRT__R(0.86506336668898451073),
+        PRT__R(0.67940956829902440623), PRT__R(0.4333953941292471908), PRT__R(0.14887433898163121088),
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, PRT__R(0.9782286581460569928), PRT__R(0.88706259976809529908),
+        PRT__R(0.73015200557404932409), PRT__R(0.51909612920681181593), PRT__R(0.26954315595234497233),
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, PRT__R(0.98418305471858814947), PRT__R(0.91759839922297796521),
+        PRT__R(0.80157809073330991279), PRT__R(0.64234933944034022064), PRT__R(0.44849275103644685288),
+        PRT__R(0.23045831595513479407), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, PRT__R(0.98628380869681233884),
+        PRT__R(0.92843488366357351734), PRT__R(0.82720131506976499319), PRT__R(0.68729290481168547015),
+        PRT__R(0.51524863635815409197), PRT__R(0.31911236892788976044), PRT__R(0.10805494870734366207),
+        0, 0, 0, 0, 0, 0, 0, 0, 0, PRT__R(0.9894009349916499326), PRT__R(0.94457502307323257608),
+        PRT__R(0.86563120238783174388), PRT__R(0.7554044083550030339), PRT__R(0.61787624440264374845),
+        PRT__R(0.45801677765722738634), PRT__R(0.28160355077925891323), PRT__R(0.095012509837637440185),
+        0, 0, 0, 0, 0, 0, 0, 0, PRT__R(0.99057547531441733568), PRT__R(0.95067552176876776122),
+        PRT__R(0.88023915372698590212), PRT__R(0.78151400389680140693), PRT__R(0.65767115921669076585),
+        PRT__R(0.51269053708647696789), PRT__R(0.3512317634538763153), PRT__R(0.17848418149584785585),
+        0, 0, 0, 0, 0, 0, 0, 0, PRT__R(0.99240684384358440319), PRT__R(0.96020815213483003085),
+        PRT__R(0.90315590361481790164), PRT__R(0.82271465653714282498), PRT__R(0.72096617733522937862),
+        PRT__R(0.60054530466168102347), PRT__R(0.46457074137596094572), PRT__R(0.31656409996362983199),
+        PRT__R(0.16035864564022537587), 0, 0, 0, 0, 0, 0, 0, PRT__R(0.99312859918509492479),
+        PRT__R(0.96397192727791379127), PRT__R(0.91223442825132590587), PRT__R(0.83911697182221882339),
+        PRT__R(0.74633190646015079261), PRT__R(0.63605368072651502545), PRT__R(0.510867001950827098),
+        PRT__R(0.37370608871541956067), PRT__R(0.22778585114164507808), PRT__R(0.076526521133497333755),
+        0, 0, 0, 0, 0, 0, PRT__R(0.99429458548239929207), PRT__R(0.97006049783542872712),
+        PRT__R(0.92695677218717400052), PRT__R(0.86581257772030013654), PRT__R(0.787816805979208162),
+        PRT__R(0.69448726318668278005), PRT__R(0.58764040350691159296), PRT__R(0.46935583798675702641),
+        PRT__R(0.34193582089208422516), PRT__R(0.20786042668822128548), PRT__R(0.069739273319722221214),
+        0, 0, 0, 0, 0, PRT__R(0.99476933499755212352), PRT__R(0.97254247121811523196),
+        PRT__R(0.93297108682601610235), PRT__R(0.87675235827044166738), PRT__R(0.80488840161883989215),
+        PRT__R(0.71866136313195019446), PRT__R(0.61960987576364615639), PRT__R(0.50950147784600754969),
+        PRT__R(0.39030103803029083142), PRT__R(0.26413568097034493053), PRT__R(0.13325682429846611093),
+        0, 0, 0, 0, 0
     };
     return table;
 }
 
 /* weights of the product grids */
-PRT__STATIC const double *prt__grid_weights(void) {
-    static const double table[100] = {
-        1.5707963267948966192, 1.5707963267948966192, 0.27320455649986006227, 0.51219360689758824735,
-        0.12405462692173950072, 0.25060938583970991512, 0.14893476283684945723, 0.050848627308305492903,
-        0.1098400503840210821, 0.1499443101983376748, 0.082066093808059905005, 0.039752353242936729575,
-        0.087328828017052492275, 0.12319231175903318696, 0.142425588679701746, 0.02094542054851303252,
-        0.046951526056054717732, 0.068828010698191943975, 0.0845926347240509469, 0.092841673332168682719,
-        0.014573996790670127715, 0.032876863845503030241, 0.048770663173855245418, 0.06104998480876207833,
-        0.068802068863616895043, 0.035725810316742059792, 0.0090845894256150391858, 0.020672016223420072993,
-        0.031163142820336475779, 0.03997586460201981202, 0.046633812017139726073, 0.050777826910346633028,
-        0.026092223257536043669, 0.0078807884697335582687, 0.017987432696208072156, 0.02726870349627490231,
-        0.035276308218944933001, 0.041634719033965175539, 0.04604642758248099825, 0.048305095758806163223,
-        0.0053313729384288564499, 0.012223450841608284404, 0.018684330076766115516, 0.024470841282552420162,
-        0.029373103717041145551, 0.033213804914884959392, 0.035854096701596241953, 0.037198540376484053976,
-        0.004214673938249528532, 0.009679513891825863101, 0.014841607713490120758, 0.019527415133231162346,
-        0.023585745689640166945, 0.026886057295308651, 0.029322247394869588882, 0.030816005448826847566,
-        0.015659658693991028561, 0.0030570505464114503782, 0.0070394022791714472372, 0.010845491411752009422,
-        0.014371218990293012716, 0.017524847701858044736, 0.020224625141707706645, 0.022400608395063506538,
-        0.023996433773604702498, 0.024970767527805665608, 0.012649186911822116145, 0.0027668017714319232925,
-        0.0063776576793068660105, 0.0098445023315930736879, 0.013081079977613566682, 0.016011145779868497445,
-        0.018565953665239513716, 0.020685602955658783675, 0.02232040465691606074, 0.023432037920819076774,
-        0.0239944459410422999, 0.0020888728438999082721, 0.0048230446679350188024, 0.0074674707976081227198,
-        0.0099669123840447970724, 0.012272432669511221541, 0.014339106295375418228, 0.016126694169074973155,
-        0.017600398251153946535, 0.018731532681120941797, 0.01949808036881746212, 0.019885120943721518778,
-        0.0017556083014909651325, 0.0040563204812368378061, 0.0062881165252472366868, 0.0084080043008045240183,
-        0.01037791253349864941, 0.01216264533570309445, 0.013730342665194664592, 0.015053025004593169621,
-        0.016107087470373858721, 0.016873719576323570412, 0.017339240411388191751, 0.0087476712937199556693
+PRT__STATIC const prt_real *prt__grid_weights(void) {
+    static const prt_real table[256] PRT__ALIGNED = {
+        PRT__R(1.5707963267948966192), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, PRT__R(1.5707963267948966192),
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, PRT__R(0.54640911299972012454), PRT__R(1.0243872137951764947),
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, PRT__R(0.37216388076521850216), PRT__R(0.75182815751912974537),
+        PRT__R(0.44680428851054837169), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, PRT__R(0.20339450923322197161),
+        PRT__R(0.43936020153608432841), PRT__R(0.59977724079335069919), PRT__R(0.32826437523223962002),
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, PRT__R(0.1590094129717469183), PRT__R(0.3493153120682099691),
+        PRT__R(0.49276924703613274783), PRT__R(0.569702354718806984), 0, 0, 0, 0, 0, 0,
+        0, 0, 0, 0, 0, 0, PRT__R(0.1047271027425651626), PRT__R(0.23475763028027358866),
+        PRT__R(0.34414005349095971987), PRT__R(0.4229631736202547345), PRT__R(0.46420836666084341359),
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, PRT__R(0.087443980744020766287), PRT__R(0.19726118307301818145),
+        PRT__R(0.29262397904313147251), PRT__R(0.36629990885257246998), PRT__R(0.41281241318170137026),
+        PRT__R(0.21435486190045235875), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, PRT__R(0.0635921259793052743),
+        PRT__R(0.14470411356394051095), PRT__R(0.21814199974235533045), PRT__R(0.27983105221413868414),
+        PRT__R(0.32643668411997808251), PRT__R(0.35544478837242643119), PRT__R(0.18264556280275230568),
+        0, 0, 0, 0, 0, 0, 0, 0, 0, PRT__R(0.055165519288134907881), PRT__R(0.12591202887345650509),
+        PRT__R(0.19088092447392431617), PRT__R(0.24693415753261453101), PRT__R(0.29144303323775622877),
+        PRT__R(0.32232499307736698775), PRT__R(0.33813567031164314256), 0, 0, 0, 0, 0,
+        0, 0, 0, 0, PRT__R(0.042650983507430851599), PRT__R(0.097787606732866275231), PRT__R(0.14947464061412892413),
+        PRT__R(0.1957667302604193613), PRT__R(0.23498482973632916441), PRT__R(0.26571043931907967514),
+        PRT__R(0.28683277361276993562), PRT__R(0.29758832301187243181), 0, 0, 0, 0, 0,
+        0, 0, 0, PRT__R(0.037932065444245756788), PRT__R(0.087115625026432767909), PRT__R(0.13357446942141108683),
+        PRT__R(0.17574673619908046111), PRT__R(0.21227171120676150251), PRT__R(0.241974515657777859),
+        PRT__R(0.26390022655382629994), PRT__R(0.2773440490394416281), PRT__R(0.14093692824591925705),
+        0, 0, 0, 0, 0, 0, 0, PRT__R(0.030570505464114503782), PRT__R(0.070394022791714472372),
+        PRT__R(0.10845491411752009422), PRT__R(0.14371218990293012716), PRT__R(0.17524847701858044736),
+        PRT__R(0.20224625141707706645), PRT__R(0.22400608395063506538), PRT__R(0.23996433773604702498),
+        PRT__R(0.24970767527805665608), PRT__R(0.12649186911822116145), 0, 0, 0, 0, 0,
+        0, PRT__R(0.027668017714319232925), PRT__R(0.063776576793068660105), PRT__R(0.098445023315930736879),
+        PRT__R(0.13081079977613566682), PRT__R(0.16011145779868497445), PRT__R(0.18565953665239513716),
+        PRT__R(0.20685602955658783675), PRT__R(0.2232040465691606074), PRT__R(0.23432037920819076774),
+        PRT__R(0.239944459410422999), 0, 0, 0, 0, 0, 0, PRT__R(0.022977601282898990993),
+        PRT__R(0.053053491347285206827), PRT__R(0.082142178773689349918), PRT__R(0.1096360362244927678),
+        PRT__R(0.13499675936462343695), PRT__R(0.15773016924912960051), PRT__R(0.17739363585982470471),
+        PRT__R(0.19360438076269341188), PRT__R(0.20604685949233035977), PRT__R(0.21447888405699208332),
+        PRT__R(0.21873633038093670656), 0, 0, 0, 0, 0, PRT__R(0.02106729961789158159),
+        PRT__R(0.048675845774842053673), PRT__R(0.075457398302966840242), PRT__R(0.10089605160965428822),
+        PRT__R(0.12453495040198379292), PRT__R(0.1459517440284371334), PRT__R(0.16476411198233597511),
+        PRT__R(0.18063630005511803545), PRT__R(0.19328504964448630465), PRT__R(0.20248463491588284494),
+        PRT__R(0.20807088493665830101), PRT__R(0.10497205552463946803), 0, 0, 0, 0
     };
     return table;
 }
 
-/* sin(pi k/(4q)), k = 0 ... 2q, for q = 1, 2, ...: q from place q^2-1 */
-PRT__STATIC const double *prt__grid_sines(void) {
-    static const double table[168] = {
-        0.0, 0.7071067811865475244, 1.0, 0.0, 0.38268343236508977173, 0.7071067811865475244, 0.92387953251128675613,
-        1.0, 0.0, 0.25881904510252076235, 0.5, 0.7071067811865475244, 0.86602540378443864676,
-        0.96592582628906828675, 1.0, 0.0, 0.19509032201612826785, 0.38268343236508977173, 0.55557023301960222474,
-        0.7071067811865475244, 0.83146961230254523708, 0.92387953251128675613, 0.98078528040323044913,
-        1.0, 0.0, 0.15643446504023086901, 0.3090169943749474241, 0.45399049973954679156, 0.58778525229247312917,
-        0.7071067811865475244, 0.8090169943749474241, 0.89100652418836786236, 0.95105651629515357212,
-        0.98768834059513772619, 1.0, 0.0, 0.13052619222005159155, 0.25881904510252076235, 0.38268343236508977173,
-        0.5, 0.60876142900872063942, 0.7071067811865475244, 0.79335334029123516458, 0.86602540378443864676,
-        0.92387953251128675613, 0.96592582628906828675, 0.99144486137381041114, 1.0, 0.0, 0.11196447610330785847,
-        0.22252093395631440429, 0.33027906195516708177, 0.43388373911755812048, 0.53203207651533656356,
-        0.62348980185873353053, 0.7071067811865475244, 0.78183148246802980871, 0.84672419922828416835,
-        0.90096886790241912624, 0.9438833303083675629, 0.97492791218182360702, 0.99371220989324258353,
-        1.0, 0.0, 0.098017140329560601994, 0.19509032201612826785, 0.29028467725446236764, 0.38268343236508977173,
-        0.47139673682599764856, 0.55557023301960222474, 0.63439328416364549822, 0.7071067811865475244,
-        0.77301045336273696081, 0.83146961230254523708, 0.88192126434835502971, 0.92387953251128675613,
-        0.95694033573220886494, 0.98078528040323044913, 0.99518472667219688624, 1.0, 0.0, 0.087155742747658173558,
-        0.17364817766693034885, 0.25881904510252076235, 0.34202014332566873304, 0.42261826174069943619,
-        0.5, 0.57357643635104609611, 0.64278760968653932632, 0.7071067811865475244, 0.7660444431189780352,
-        0.81915204428899178968, 0.86602540378443864676, 0.90630778703664996324, 0.93969262078590838405,
-        0.96592582628906828675, 0.98480775301220805937, 0.9961946980917455323, 1.0, 0.0, 0.078459095727844945033,
-        0.15643446504023086901, 0.23344536385590541177, 0.3090169943749474241, 0.38268343236508977173,
-        0.45399049973954679156, 0.52249856471594886499, 0.58778525229247312917, 0.64944804833018365573,
-        0.7071067811865475244, 0.76040596560003093817, 0.8090169943749474241, 0.85264016435409222152,
-        0.89100652418836786236, 0.92387953251128675613, 0.95105651629515357212, 0.97236992039767660183,
-        0.98768834059513772619, 0.9969173337331279762, 1.0, 0.0, 0.071339183199232340327, 0.14231483827328514044,
-        0.21256528955297667388, 0.28173255684142969771, 0.34946417959909833671, 0.41541501300188642553,
-        0.4792489867200568312, 0.54064081745559758211, 0.59927766651134693453, 0.65486073394528506406,
-        0.7071067811865475244, 0.75574957435425828377, 0.80054124092436040397, 0.84125353283118116886,
-        0.87767898956725561521, 0.90963199535451837141, 0.93694972499976173582, 0.95949297361449738989,
-        0.97714686597115951949, 0.98982144188093273238, 0.99745211461025354136, 1.0, 0.0, 0.065403129230143066815,
-        0.13052619222005159155, 0.19509032201612826785, 0.25881904510252076235, 0.3214394653031615807,
-        0.38268343236508977173, 0.442288690219001282, 0.5, 0.55557023301960222474, 0.60876142900872063942,
-        0.65934581510006886843, 0.7071067811865475244, 0.75183980747897739641, 0.79335334029123516458,
-        0.83146961230254523708, 0.86602540378443864676, 0.89687274153268830389, 0.92387953251128675613,
-        0.94693012949510566426, 0.96592582628906828675, 0.98078528040323044913, 0.99144486137381041114,
-        0.99785892323860350674, 1.0
+/* steps of monic columns at (l-1)l/2 + m, 0 <= m < l */
+PRT__STATIC const prt_real *prt__grid_steps(void) {
+    static const prt_real table[120] PRT__ALIGNED = {
+        0, PRT__R(0.33333333333333333333), 0, PRT__R(0.26666666666666666667), PRT__R(0.2),
+        0, PRT__R(0.25714285714285714286), PRT__R(0.22857142857142857143), PRT__R(0.14285714285714285714),
+        0, PRT__R(0.25396825396825396825), PRT__R(0.23809523809523809524), PRT__R(0.19047619047619047619),
+        PRT__R(0.11111111111111111111), 0, PRT__R(0.25252525252525252525), PRT__R(0.24242424242424242424),
+        PRT__R(0.21212121212121212121), PRT__R(0.16161616161616161616), PRT__R(0.090909090909090909091),
+        0, PRT__R(0.25174825174825174825), PRT__R(0.24475524475524475524), PRT__R(0.22377622377622377622),
+        PRT__R(0.18881118881118881119), PRT__R(0.13986013986013986014), PRT__R(0.076923076923076923077),
+        0, PRT__R(0.25128205128205128205), PRT__R(0.24615384615384615385), PRT__R(0.23076923076923076923),
+        PRT__R(0.20512820512820512821), PRT__R(0.16923076923076923077), PRT__R(0.12307692307692307692),
+        PRT__R(0.066666666666666666667), 0, PRT__R(0.2509803921568627451), PRT__R(0.24705882352941176471),
+        PRT__R(0.23529411764705882353), PRT__R(0.21568627450980392157), PRT__R(0.18823529411764705882),
+        PRT__R(0.15294117647058823529), PRT__R(0.10980392156862745098), PRT__R(0.058823529411764705882),
+        0, PRT__R(0.2507739938080495356), PRT__R(0.24767801857585139319), PRT__R(0.23839009287925696594),
+        PRT__R(0.22291021671826625387), PRT__R(0.20123839009287925697), PRT__R(0.17337461300309597523),
+        PRT__R(0.13931888544891640867), PRT__R(0.099071207430340557276), PRT__R(0.052631578947368421053),
+        0, PRT__R(0.25062656641604010025), PRT__R(0.24812030075187969925), PRT__R(0.24060150375939849624),
+        PRT__R(0.22807017543859649123), PRT__R(0.21052631578947368421), PRT__R(0.18796992481203007519),
+        PRT__R(0.16040100250626566416), PRT__R(0.12781954887218045113), PRT__R(0.09022556390977443609),
+        PRT__R(0.047619047619047619048), 0, PRT__R(0.25051759834368530021), PRT__R(0.24844720496894409938),
+        PRT__R(0.24223602484472049689), PRT__R(0.23188405797101449275), PRT__R(0.21739130434782608696),
+        PRT__R(0.1987577639751552795), PRT__R(0.17598343685300207039), PRT__R(0.14906832298136645963),
+        PRT__R(0.1180124223602484472), PRT__R(0.082815734989648033126), PRT__R(0.043478260869565217391),
+        0, PRT__R(0.25043478260869565217), PRT__R(0.24869565217391304348), PRT__R(0.24347826086956521739),
+        PRT__R(0.23478260869565217391), PRT__R(0.22260869565217391304), PRT__R(0.20695652173913043478),
+        PRT__R(0.18782608695652173913), PRT__R(0.16521739130434782609), PRT__R(0.13913043478260869565),
+        PRT__R(0.10956521739130434783), PRT__R(0.076521739130434782609), PRT__R(0.04),
+        0, PRT__R(0.25037037037037037037), PRT__R(0.24888888888888888889), PRT__R(0.24444444444444444444),
+        PRT__R(0.23703703703703703704), PRT__R(0.22666666666666666667), PRT__R(0.21333333333333333333),
+        PRT__R(0.19703703703703703704), PRT__R(0.17777777777777777778), PRT__R(0.15555555555555555556),
+        PRT__R(0.13037037037037037037), PRT__R(0.10222222222222222222), PRT__R(0.071111111111111111111),
+        PRT__R(0.037037037037037037037), 0, PRT__R(0.25031928480204342273), PRT__R(0.2490421455938697318),
+        PRT__R(0.245210727969348659), PRT__R(0.23882503192848020434), PRT__R(0.22988505747126436782),
+        PRT__R(0.21839080459770114943), PRT__R(0.20434227330779054917), PRT__R(0.18773946360153256705),
+        PRT__R(0.16858237547892720307), PRT__R(0.14687100893997445722), PRT__R(0.1226053639846743295),
+        PRT__R(0.095785440613026819923), PRT__R(0.06641123882503192848), PRT__R(0.034482758620689655172),
+        0
+    };
+    return table;
+}
+
+/* Y(l,m) over its monic column, at l(l+1) + m */
+PRT__STATIC const prt_real *prt__grid_scales(void) {
+    static const prt_real table[256] PRT__ALIGNED = {
+        PRT__R(0.28209479177387814347), PRT__R(0.48860251190291992159), PRT__R(0.48860251190291992159),
+        PRT__R(0.48860251190291992159), PRT__R(0.54627421529603953527), PRT__R(1.0925484305920790705),
+        PRT__R(0.94617469575756001809), PRT__R(1.0925484305920790705), PRT__R(0.54627421529603953527),
+        PRT__R(0.59004358992664351035), PRT__R(1.4453057213202770277), PRT__R(2.2852289973223286808),
+        PRT__R(1.8658816629505769571), PRT__R(2.2852289973223286808), PRT__R(1.4453057213202770277),
+        PRT__R(0.59004358992664351035), PRT__R(0.62583573544917613459), PRT__R(1.770130769779930531),
+        PRT__R(3.3116114351514600633), PRT__R(4.6833258049010241757), PRT__R(3.7024941420321506331),
+        PRT__R(4.6833258049010241757), PRT__R(3.3116114351514600633), PRT__R(1.770130769779930531),
+        PRT__R(0.62583573544917613459), PRT__R(0.65638205684017010281), PRT__R(2.075662314881041279),
+        PRT__R(4.4031446949172534892), PRT__R(7.1903051774599856325), PRT__R(9.5118796751096353473),
+        PRT__R(7.3678703145656865757), PRT__R(9.5118796751096353473), PRT__R(7.1903051774599856325),
+        PRT__R(4.4031446949172534892), PRT__R(2.075662314881041279), PRT__R(0.65638205684017010281),
+        PRT__R(0.68318410519191432197), PRT__R(2.366619162231752032), PRT__R(5.5502139080159657518),
+        PRT__R(10.133257854664158491), PRT__R(15.199886781996237736), PRT__R(19.226504963118135832),
+        PRT__R(14.68448572382216639), PRT__R(19.226504963118135832), PRT__R(15.199886781996237736),
+        PRT__R(10.133257854664158491), PRT__R(5.5502139080159657518), PRT__R(2.366619162231752032),
+        PRT__R(0.68318410519191432197), PRT__R(0.70716273252459617823), PRT__R(2.645960661801900222),
+        PRT__R(6.7459025233633841567), PRT__R(13.491805046726768313), PRT__R(22.373627542308046811),
+        PRT__R(31.641087509816258242), PRT__R(38.752259652899927805), PRT__R(29.293954795250120079),
+        PRT__R(38.752259652899927805), PRT__R(31.641087509816258242), PRT__R(22.373627542308046811),
+        PRT__R(13.491805046726768313), PRT__R(6.7459025233633841567), PRT__R(2.645960661801900222),
+        PRT__R(0.70716273252459617823), PRT__R(0.72892666017482986887), PRT__R(2.9157066406993194755),
+        PRT__R(7.9849914908931386147), PRT__R(17.249553110490540088), PRT__R(31.097074109356495321),
+        PRT__R(48.175380056526218963), PRT__R(65.229772956192054292), PRT__R(77.964490817627668201),
+        PRT__R(58.473368113220751151), PRT__R(77.964490817627668201), PRT__R(65.229772956192054292),
+        PRT__R(48.175380056526218963), PRT__R(31.097074109356495321), PRT__R(17.249553110490540088),
+        PRT__R(7.9849914908931386147), PRT__R(2.9157066406993194755), PRT__R(0.72892666017482986887),
+        PRT__R(0.74890095185318829655), PRT__R(3.1773176489546974773), PRT__R(9.2633931828489042401),
+        PRT__R(21.392890190908636255), PRT__R(41.427153718316577735), PRT__R(69.320887058395948854),
+        PRT__R(102.0375829235789721), PRT__R(133.59855642218116028), PRT__R(156.65819363306454278),
+        PRT__R(116.76612339861902118), PRT__R(156.65819363306454278), PRT__R(133.59855642218116028),
+        PRT__R(102.0375829235789721), PRT__R(69.320887058395948854), PRT__R(41.427153718316577735),
+        PRT__R(21.392890190908636255), PRT__R(9.2633931828489042401), PRT__R(3.1773176489546974773),
+        PRT__R(0.74890095185318829655), PRT__R(0.76739511822199001256), PRT__R(3.4318952998917144349),
+        PRT__R(10.577811721687949636), PRT__R(25.910241313366302025), PRT__R(53.415330860125860731),
+        PRT__R(95.552248675106988292), PRT__R(151.08137068207222549), PRT__R(213.66132344050344292),
+        PRT__R(272.36581438079663533), PRT__R(314.50095250160916324), PRT__R(233.240148813257883),
+        PRT__R(314.50095250160916324), PRT__R(272.36581438079663533), PRT__R(213.66132344050344292),
+        PRT__R(151.08137068207222549), PRT__R(95.552248675106988292), PRT__R(53.415330860125860731),
+        PRT__R(25.910241313366302025), PRT__R(10.577811721687949636), PRT__R(3.4318952998917144349),
+        PRT__R(0.76739511822199001256), PRT__R(0.78464210578719688375), PRT__R(3.6802976988053108636),
+        PRT__R(11.925527539452185581), PRT__R(30.791579703357485663), PRT__R(67.108692119456695293),
+        PRT__R(127.32979073548540537), PRT__R(214.32797505560746889), PRT__R(324.0334405721099024),
+        PRT__R(443.70106196838573108), PRT__R(553.39245201115092796), PRT__R(630.96447421846832338),
+        PRT__R(465.99814731925208542), PRT__R(630.96447421846832338), PRT__R(553.39245201115092796),
+        PRT__R(443.70106196838573108), PRT__R(324.0334405721099024), PRT__R(214.32797505560746889),
+        PRT__R(127.32979073548540537), PRT__R(67.108692119456695293), PRT__R(30.791579703357485663),
+        PRT__R(11.925527539452185581), PRT__R(3.6802976988053108636), PRT__R(0.78464210578719688375),
+        PRT__R(0.8008219957839717141), PRT__R(3.9232105289359844187), PRT__R(13.304254200257634746),
+        PRT__R(36.02809068931076989), PRT__R(82.550726364250165077), PRT__R(165.10145272850033015),
+        PRT__R(293.80018838437441034), PRT__R(471.12841933027287614), PRT__R(686.78178735233147835),
+        PRT__R(915.70904980310863779), PRT__R(1121.5099624332225001), PRT__R(1265.2338749567051705),
+        PRT__R(931.18691863291409295), PRT__R(1265.2338749567051705), PRT__R(1121.5099624332225001),
+        PRT__R(915.70904980310863779), PRT__R(686.78178735233147835), PRT__R(471.12841933027287614),
+        PRT__R(293.80018838437441034), PRT__R(165.10145272850033015), PRT__R(82.550726364250165077),
+        PRT__R(36.02809068931076989), PRT__R(13.304254200257634746), PRT__R(3.9232105289359844187),
+        PRT__R(0.8008219957839717141), PRT__R(0.81607711883762830929), PRT__R(4.1611931535496447639),
+        PRT__R(14.71203948350994157), PRT__R(41.611931535496447639), PRT__R(99.781906501932260599),
+        PRT__R(209.30429285302665953), PRT__R(391.57247671851173375), PRT__R(661.87828946646638583),
+        PRT__R(1020.0229489620597434), PRT__R(1442.5302883539442245), PRT__R(1880.8293850829407177),
+        PRT__R(2268.3655872709032255), PRT__R(2536.1098254794856373), PRT__R(1860.995832018130714),
+        PRT__R(2536.1098254794856373), PRT__R(2268.3655872709032255), PRT__R(1880.8293850829407177),
+        PRT__R(1442.5302883539442245), PRT__R(1020.0229489620597434), PRT__R(661.87828946646638583),
+        PRT__R(391.57247671851173375), PRT__R(209.30429285302665953), PRT__R(99.781906501932260599),
+        PRT__R(41.611931535496447639), PRT__R(14.71203948350994157), PRT__R(4.1611931535496447639),
+        PRT__R(0.81607711883762830929), PRT__R(0.83052208306452400305), PRT__R(4.3947097802721183809),
+        PRT__R(16.147194793928202586), PRT__R(47.536054360662613678), PRT__R(118.8401359016565342),
+        PRT__R(260.36569268126730809), PRT__R(509.7673914450444478), PRT__R(903.72099474301041886),
+        PRT__R(1464.1953576591658815), PRT__R(2182.693568043674841), PRT__R(3008.6354552787769747),
+        PRT__R(3848.659405909940349), PRT__R(4580.8209488573473278), PRT__R(5081.9645584076216384),
+        PRT__R(3719.6171874538936217), PRT__R(5081.9645584076216384), PRT__R(4580.8209488573473278),
+        PRT__R(3848.659405909940349), PRT__R(3008.6354552787769747), PRT__R(2182.693568043674841),
+        PRT__R(1464.1953576591658815), PRT__R(903.72099474301041886), PRT__R(509.7673914450444478),
+        PRT__R(260.36569268126730809), PRT__R(118.8401359016565342), PRT__R(47.536054360662613678),
+        PRT__R(16.147194793928202586), PRT__R(4.3947097802721183809), PRT__R(0.83052208306452400305),
+        PRT__R(0.84425065085737263613), PRT__R(4.6241512566300120264), PRT__R(17.608243388844820556),
+        PRT__R(53.794072123058085929), PRT__R(139.7610990947417808), PRT__R(318.70434114533991622),
+        PRT__R(650.5525121799840964), PRT__R(1204.5891834675137521), PRT__R(2042.4803340950257682),
+        PRT__R(3193.3606493895775128), PRT__R(4627.619225676052835), PRT__R(6239.8804909660993251),
+        PRT__R(7851.6774337783348093), PRT__R(9239.0437959858114882), PRT__R(10180.930404053194959),
+        PRT__R(7435.100318253493534), PRT__R(10180.930404053194959), PRT__R(9239.0437959858114882),
+        PRT__R(7851.6774337783348093), PRT__R(6239.8804909660993251), PRT__R(4627.619225676052835),
+        PRT__R(3193.3606493895775128), PRT__R(2042.4803340950257682), PRT__R(1204.5891834675137521),
+        PRT__R(650.5525121799840964), PRT__R(318.70434114533991622), PRT__R(139.7610990947417808),
+        PRT__R(53.794072123058085929), PRT__R(17.608243388844820556), PRT__R(4.6241512566300120264),
+        PRT__R(0.84425065085737263613)
     };
     return table;
 }

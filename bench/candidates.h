@@ -113,7 +113,7 @@ EACH (triple,       "triple",   "prt_sh_triple",        "2-10,16,32,64", 16,
       *(double *)data->out = prt_sh_triple(n - 1, k % n, n / 2, 0, n - 1, k % n), 0, 0, 1)
 EACH (product,      "product",  "prt_sh_product",       ALL, 64,
       prt_sh_product(n, F, G, OUT), TERM_FLOPS, 2 * n * n, n * n)
-EACH (product_grid, "product",  "grid at any band",     ALL, 64,
+EACH (product_grid, "product",  "loop for any bands",   ALL, 64,
       prt__grid_product(n, F, G, OUT), TERM_FLOPS, 2 * n * n, n * n)
 EACH (square,       "product",  "prt_sh_square",        ALL, 64,    prt_sh_square(n, F, OUT), TERM_FLOPS, n * n, n * n)
 EACH (zonal,        "product",  "prt_sh_product_zonal", ALL, 64,

@@ -62,7 +62,7 @@ static double error_of(int bands, const prt_real *got) {
 
 enum { WAYS = 4 };
 static const char *const names[WAYS] = {
-    "one pair", "a batch of 64, per pair", "one pair on the grid", "a matrix made before"
+    "one pair", "a batch of 64, per pair", "one pair by the loop for any bands", "a matrix made before"
 };
 
 static void multiply(int way, int bands) {

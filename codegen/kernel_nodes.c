@@ -130,7 +130,7 @@ kernel *describe_row_product(int bands) {
 void circle_product_nodes(kernel *k, int bands, const node *f, const node *g, node *out) {
     int pair, i, l, m;
     for (i = 0; i < bands * bands; i++) out[i] = k_const(k, 0);
-    for (pair = 0; pair < grid_quarter(bands); pair++) {
+    for (pair = 0; pair < grid_pairs(bands); pair++) {
         node q[COEFFICIENTS], w[2][2 * MAX_BANDS], v[2][2 * MAX_BANDS], h[2][2 * MAX_BANDS], term[COEFFICIENTS];
         for (l = 0; l < bands; l++)
             for (m = 0; m <= l; m++) q[place(l, m)] = k_const(k, node_factor(bands, pair, l, m));

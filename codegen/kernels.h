@@ -69,7 +69,7 @@ void output_nodes(kernel *k, const char *name, int count, const node *values);
 factor sh_factor_a, ch_factor_a, ch_factor_c;
 void print_swaps(FILE *to);                            /* tables and code of the swap of y and z, four lanes */
 
-int   grid_quarter(int bands);                         /* table_grid.c: node pairs in the grid of a product */
+int   grid_pairs(int bands);                         /* table_grid.c: node pairs in the grid of a product */
 xreal node_factor(int bands, int pair, int l, int m);
 void print_grid_tables(FILE *to, int bands);
 void print_node_tables(FILE *to, int bands);

@@ -149,8 +149,9 @@ static void squares_by_terms(int bands, const prt_real *f, const prt_real *g, pr
 /* Which way is taken depends on the number of bands and on the width of vectors; each is right by itself. */
 static void each_way_is_right(void **state) {
     static const struct { product_function *way; int first, last, square; } ways[] = {
-        { by_terms, 1, 4, 0 }, { by_nodes, 3, 6, 0 }, { prt__grid_product, 1, 6, 0 },
-        { squares_by_terms, 1, 5, 1 }, { by_nodes, 3, 6, 1 }, { prt__grid_product, 1, 6, 1 }
+        { by_terms, 1, 4, 0 }, { by_nodes, 3, 6, 0 }, { prt__grid_product, 1, 6, 0 }, { prt__ladder_product, 1, 16, 0 },
+        { squares_by_terms, 1, 5, 1 }, { by_nodes, 3, 6, 1 }, { prt__grid_product, 1, 6, 1 },
+        { prt__ladder_product, 1, 16, 1 }
     };
     static prt_real f[COUNT], g[COUNT], got[COUNT];
     static double want[COUNT];
