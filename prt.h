@@ -4430,11 +4430,21 @@ PRTDEF prt_result prt_sh_zonal_to(int bands, const prt_real *zonal, prt_vec3 axi
 /* ----------------------------------------------------------------------------------------------- >>product ---- */
 
 /* Double-double arithmetic for prt_sh_triple: hi + lo carries 106 bits. The volatile intermediates keep every rounding
-   where it is written, whatever the compiler may contract or reassociate. */
+   where it is written, whatever the compiler may contract or reassociate; arguments among them, which may be sums that
+   -ffast-math would open. */
 typedef struct prt__dd { double hi, lo; } prt__dd;
 
-PRT__STATIC prt__dd prt__dd_sum(double a, double b) {
-    volatile double s = a + b, bb = s - a, aa = s - bb, ea = a - aa, eb = b - bb;
+#if defined(__FAST_MATH__)                                      /* clang would open fma where the target has none */
+PRT__STATIC double prt__fma(double a, double b, double c) {
+    double (*volatile fused)(double, double, double) = fma;
+    return fused(a, b, c);
+}
+#else
+PRT__INLINE double prt__fma(double a, double b, double c) { return fma(a, b, c); }
+#endif
+
+PRT__STATIC prt__dd prt__dd_sum(double first, double second) {
+    volatile double a = first, b = second, s = a + b, bb = s - a, aa = s - bb, ea = a - aa, eb = b - bb;
     prt__dd r;
     r.hi = s;
     r.lo = ea + eb;
@@ -4447,11 +4457,11 @@ PRT__STATIC prt__dd prt__dd_add(prt__dd a, prt__dd b) {
     return prt__dd_sum(s.hi, s.lo + t.lo);
 }
 
-PRT__STATIC prt__dd prt__dd_product(double a, double b) {
-    volatile double p = a * b;
+PRT__STATIC prt__dd prt__dd_product(double first, double second) {
+    volatile double a = first, b = second, p = a * b;
     prt__dd r;
     r.hi = p;
-    r.lo = fma(a, b, -p);
+    r.lo = prt__fma(a, b, -p);
     return r;
 }
 
@@ -5752,13 +5762,13 @@ typedef struct prt__long_product { double hi, lo; int exponent; } prt__long_prod
 
 PRT__STATIC void prt__multiply(prt__long_product *p, double k) {
     double hi = p->hi * k;
-    p->lo = p->lo * k + fma(p->hi, k, -hi);
+    p->lo = p->lo * k + prt__fma(p->hi, k, -hi);
     p->hi = hi;
 }
 
 PRT__STATIC void prt__divide(prt__long_product *p, double k) {
     double hi = p->hi / k;
-    p->lo = (p->lo + fma(-hi, k, p->hi)) / k;
+    p->lo = (p->lo + prt__fma(-hi, k, p->hi)) / k;
     p->hi = hi;
     if (p->hi < 1e-150) {                                      /* factorials of a few hundred leave the range of double */
         p->hi = ldexp(p->hi, 512);

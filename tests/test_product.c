@@ -32,30 +32,36 @@ static void add_term(int i, int j, int k, double g) {
     terms[term_count++].g = g;
 }
 
+/* A coefficient with i <= j <= k serves each pair of the three. */
+static void add_terms(int i, int j, int k, double g) {
+    add_term(i, j, k, g);
+    if (j != k) add_term(i, k, j, g);
+    if (i != j) add_term(j, k, i, g);
+}
+
 /* all (i,j,k), i <= j, below so many bands; the list is ordered by the largest band that takes part */
 static void list_terms(int bands) {
-    int top, l1, l2, l3, m1, m2, s;
-    for (top = 0; top < bands; top++)
-        for (l1 = 0; l1 <= top; l1++)
-            for (l2 = 0; l2 <= top; l2++)
-                for (l3 = 0; l3 <= top; l3++) {
-                    if (l1 < top && l2 < top && l3 < top) continue;
-                    if ((l1 + l2 + l3) % 2 || l1 > l2 + l3 || l2 > l1 + l3 || l3 > l1 + l2) continue;
-                    for (m1 = -l1; m1 <= l1; m1++)
-                        for (m2 = -l2; m2 <= l2; m2++)
-                            for (s = 0; s < 4; s++) {
-                                int i = PRT_SH_INDEX(l1, m1), j = PRT_SH_INDEX(l2, m2);
-                                int a = abs(m1) + abs(m2), b = abs(abs(m1) - abs(m2)), m3;
-                                double g;
-                                if (i > j || (a == b && s > 1)) continue;
-                                m3 = s < 2 ? a : b;
-                                if ((s & 1) && m3 == 0) continue;
-                                if (s & 1) m3 = -m3;
-                                if (abs(m3) > l3) continue;
-                                g = prt_sh_triple(l1, m1, l2, m2, l3, m3);
-                                if (g != 0) add_term(i, j, PRT_SH_INDEX(l3, m3), g);
-                            }
-                }
+    int l1, l2, l3, m1, m2, s;
+    for (l3 = 0; l3 < bands; l3++)
+        for (l2 = 0; l2 <= l3; l2++)
+            for (l1 = l3 - l2; l1 <= l2; l1++) {
+                if ((l1 + l2 + l3) % 2) continue;
+                for (m1 = -l1; m1 <= l1; m1++)
+                    for (m2 = -l2; m2 <= l2; m2++)
+                        for (s = 0; s < 4; s++) {
+                            int i = PRT_SH_INDEX(l1, m1), j = PRT_SH_INDEX(l2, m2), k;
+                            int a = abs(m1) + abs(m2), b = abs(abs(m1) - abs(m2)), m3;
+                            double g;
+                            if (a == b && s > 1) continue;
+                            m3 = s < 2 ? a : b;
+                            if ((s & 1) && m3 == 0) continue;
+                            if (s & 1) m3 = -m3;
+                            k = PRT_SH_INDEX(l3, m3);
+                            if (abs(m3) > l3 || i > j || j > k) continue;
+                            g = prt_sh_triple(l1, m1, l2, m2, l3, m3);
+                            if (g != 0) add_terms(i, j, k, g);
+                        }
+            }
 }
 
 static void reference(int bands, const prt_real *f, const prt_real *g, double *out) {
