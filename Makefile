@@ -8,6 +8,7 @@ FUZZ_SECONDS ?= 60
 help:
 	@echo "make demo       bake and relight the Stanford bunny; pictures in out/"
 	@echo "make vo         compare vector occluders with other techniques; writes docs/vo.md and its pictures"
+	@echo "make bounces    measure interreflection and glossy lobes; writes docs/bounce.md and its pictures"
 	@echo "make fiv        moving occluders: writes docs/fiv.md, its pictures and an animation"
 	@echo "make advise     ask advise about some scenes; writes docs/advise.md"
 	@echo "make test       build and run every test; ends with 'N passed, N failed'"
@@ -41,6 +42,11 @@ vo:
 	@./deps.sh demo bench
 	@$(without_tests)
 	@cmake --build $(BUILD)/tools -j$(JOBS) --target vo
+
+bounces:
+	@./deps.sh demo bench
+	@$(without_tests)
+	@cmake --build $(BUILD)/tools -j$(JOBS) --target bounces
 
 advise:
 	@./deps.sh demo bench
@@ -95,4 +101,4 @@ install:
 clean:
 	rm -rf $(BUILD) out
 
-.PHONY: help test demo vo fiv advise bench docs docs-bench docs-shaders gen gen-check icount-update fuzz portability install clean
+.PHONY: help test demo vo bounces fiv advise bench docs docs-bench docs-shaders gen gen-check icount-update fuzz portability install clean

@@ -1,8 +1,9 @@
 /* relight: bake a mesh once, then light it with any environment map.
 
    Reads a mesh and Radiance .hdr (or .pfm) environments; bakes shadowed diffuse transfer at the vertices with Embree,
-   on all processors, into DIR/<mesh>.prt; draws one picture an environment with OpenGL (headless) into
-   DIR/<mesh>-<environment>.png. An interrupted bake keeps what it has and goes on with --resume. */
+   on all processors, into DIR/<mesh>.prt; adds --bounces of light between its own surfaces; draws one picture an
+   environment with OpenGL (headless) into DIR/<mesh>-<environment>.png. An interrupted bake keeps what it has and goes
+   on with --resume. */
 #define _POSIX_C_SOURCE 200809L
 #define PRT_IMPLEMENTATION
 #define PRT_BAKE_IMPLEMENTATION
@@ -16,6 +17,7 @@
 #include <unistd.h>
 
 #include "bake_job.h"
+#include "bounce_job.h"
 #include "embree_tracer.h"
 #include "image.h"
 #include "mesh.h"
@@ -26,6 +28,7 @@
 #include "transfer_file.h"
 
 enum { MOST_ENVIRONMENTS = 64, SAMPLES_A_PIXEL = 2 };
+static const double albedo = 0.8;
 
 static const char usage[] =
     "usage: relight [mesh] [environment.hdr ...] [options]\n"
@@ -33,6 +36,7 @@ static const char usage[] =
     "  environment.hdr    equirectangular .hdr or .pfm        [examples/data/sunset.hdr]\n"
     "  --bands N          spherical harmonics bands, 1 ... 64 [5]\n"
     "  --rays N           rays a vertex                       [1024]\n"
+    "  --bounces N        bounces between surfaces, albedo .8 [0]\n"
     "  --seed N           another choice of rays              [0]\n"
     "  --threads N        threads of the bake                 [all processors]\n"
     "  --out DIR          where pictures and transfer go      [out]\n"
@@ -46,7 +50,7 @@ static const char usage[] =
 
 typedef struct options {
     const char *mesh, *out, *environments[MOST_ENVIRONMENTS];
-    int environment_count, bands, rays, threads, checkpoint, size, azimuth, resume, floor, z_up, help;
+    int environment_count, bands, rays, bounces, threads, checkpoint, size, azimuth, resume, floor, z_up, help;
     uint64_t seed;
 } options;
 
@@ -78,6 +82,7 @@ static int parse(int count, char **words, options *o, why *w) {
         const char *word = words[i], *next = i + 1 < count ? words[i + 1] : NULL;
         struct { const char *name; int low, high; int *value; } numbers[] = {
             { "--bands", 1, PRT_MAX_BANDS, &o->bands }, { "--rays", 1, 1 << 24, &o->rays },
+            { "--bounces", 0, 1000, &o->bounces },
             { "--threads", 1, 256, &o->threads },       { "--size", 16, 8192, &o->size },
             { "--azimuth", -360, 360, &o->azimuth },   { "--checkpoint", 1, 86400, &o->checkpoint }
         };
@@ -183,6 +188,14 @@ static int keep_elsewhere(const options *o, const transfer_info *info, const uns
     return -1;
 }
 
+static int trace_mesh(const mesh *m, embree_tracer *tracer, why *w) {
+    if (embree_tracer_create(tracer, w) == 0 && embree_tracer_add(tracer, m, 0, w) == 0 &&
+        embree_tracer_build(tracer, w) == 0)
+        return 0;
+    embree_tracer_destroy(tracer);
+    return -1;
+}
+
 /* Bakes what is missing. 0; -1 with the reason in w; STOPPED where Ctrl-C ended it and what is done has been saved. */
 static int bake(const options *o, const mesh *m, prt_real *transfer, unsigned char *done, why *w) {
     char path[PATH_MAX];
@@ -211,10 +224,7 @@ static int bake(const options *o, const mesh *m, prt_real *transfer, unsigned ch
         return 0;
     }
     if (replacement_possible(path, transfer_file_bytes(&info), w)) return -1;
-    if (embree_tracer_create(&tracer, w) || embree_tracer_add(&tracer, m, 0, w) || embree_tracer_build(&tracer, w)) {
-        embree_tracer_destroy(&tracer);
-        return -1;
-    }
+    if (trace_mesh(m, &tracer, w)) return -1;
     s.path = path;
     s.info = &info;
     job.desc.tracer = &tracer.tracer;
@@ -241,6 +251,53 @@ static int bake(const options *o, const mesh *m, prt_real *transfer, unsigned ch
     return 0;
 }
 
+/* Light between the surfaces, added to direct transfer of all points; ends early when a bounce would add no more than
+   half a grey level of 8 bits to white. The file keeps direct transfer alone. */
+static int add_bounces(const options *o, const mesh *m, prt_real *transfer, why *w) {
+    const prt_rgb grey = { (prt_real)albedo, (prt_real)albedo, (prt_real)albedo };
+    size_t numbers = (size_t)m->point_count * (size_t)PRT_SH_COUNT(o->bands), bytes = numbers * sizeof *transfer;
+    prt_real *bounce = (prt_real *)malloc(bytes), *previous = (prt_real *)malloc(bytes), strength = 1;
+    prt_bounce_object object = bounce_object_of(m, grey);
+    embree_tracer tracer;
+    bounce_job job;
+    int k, failed = 0;
+    memset(&job, 0, sizeof job);
+    if (!bounce || !previous) {
+        failed = why_set(w, "out of memory: %.0f MB for bounces; fewer --bands", 2e-6 * (double)bytes);
+    } else if ((failed = trace_mesh(m, &tracer, w)) == 0) {
+        memcpy(previous, transfer, bytes);
+        job.desc.bands = o->bands;
+        job.desc.samples = o->rays;
+        job.desc.seed = o->seed;
+        job.desc.bias = (prt_real)1e-4;
+        job.desc.object_count = 1;
+        job.desc.objects = &object;
+        job.desc.tracer = &tracer.tracer;
+        job.point_count = m->point_count;
+        job.points = m->points;
+        job.previous = previous;
+        job.out = bounce;
+        job.threads = o->threads;
+        job.what = "relight: bounce";
+        job.stop = &interrupted;
+        for (k = 0; k < o->bounces && !failed && strength > (prt_real)(0.5 / 255); k++) {
+            failed = bounce_job_run(&job, w);
+            if (failed) break;
+            prt_bounce_add(o->bands, m->point_count, 1, bounce, 1, transfer, &strength);
+            memcpy(previous, bounce, bytes);
+            printf("bounce %d: adds at most %.4f to white\n", k + 1, (double)strength);
+        }
+        embree_tracer_destroy(&tracer);
+    }
+    free(bounce);
+    free(previous);
+    if (failed && interrupted) {
+        printf("interrupted between the surfaces; direct transfer is complete: --resume goes on from there\n");
+        return STOPPED;
+    }
+    return failed;
+}
+
 /* ---- the pictures ---- */
 
 static int draw_environment(const options *o, relighter *r, const char *file, const image *environment, picture *p,
@@ -253,7 +310,7 @@ static int draw_environment(const options *o, relighter *r, const char *file, co
                                                     environment->rgb, light);
     if (result != PRT_OK) return why_set(w, "%s: %s", file, prt_result_string(result));
     if (output_name(o, file, path, sizeof path, w) || relighter_set_environment(r, environment, w) ||
-        relighter_draw(r, &eye, light, 0.8, p, NULL, w))
+        relighter_draw(r, &eye, light, albedo, p, NULL, w))
         return -1;
     canvas_put_picture(c, 0, 0, p, SAMPLES_A_PIXEL, picture_exposure(p));
     if (canvas_write_png(c, path, w)) return -1;
@@ -299,6 +356,7 @@ static int bake_and_draw(const options *o, const mesh *m, const image *environme
     } else if (osmesa_context_create(&context, w) == 0) {
         if (relighter_fits(o->bands, m, w) == 0 && relighter_create(&r, m, samples, samples, w) == 0) {
             status = bake(o, m, transfer, done, w);
+            if (status == 0 && o->bounces > 0) status = add_bounces(o, m, transfer, w);
             if (status == 0)
                 status = relighter_set_transfer(&r, o->bands, m, transfer, w) ||
                          draw_all(o, &r, environments, w) ? -1 : 0;

@@ -138,6 +138,7 @@ error '--bands 0: must be'                      good.obj --bands 0
 error '--bands 5x: must be'                     good.obj --bands 5x
 error '--bands 99999999999999999999: must be'   good.obj --bands 99999999999999999999
 error '--rays 0: must be'                       good.obj --rays 0
+error '--bounces -1: must be'                   good.obj --bounces -1
 error '--threads -1: must be'                   good.obj --threads -1
 error '--bands wants a number'                  good.obj --bands
 error '--out wants a directory'                 good.obj --out

@@ -41,6 +41,12 @@ echo "interrupted at $rays rays: $(tail -1 log)"
 "$relight" ball.obj white.pfm --size 64 --rays $rays --threads 3 --out whole >log 2>&1 || die "uninterrupted bake"
 cmp parts/ball.prt whole/ball.prt || die "resumed and uninterrupted transfer differ"
 cmp parts/ball-white.png whole/ball-white.png || die "resumed and uninterrupted pictures differ"
+cp whole/ball.prt parts/direct.prt
+"$relight" ball.obj white.pfm --size 64 --rays $rays --threads 2 --out whole --resume --bounces 2 >log 2>&1 ||
+    die "bounces"
+[ "$(grep -c '^bounce [12]: adds at most 0\.[0-9]* to white$' log)" = 2 ] || die "two bounces are not two lines"
+cmp whole/ball.prt parts/direct.prt || die "bounces changed the file of direct transfer"
+cmp -s parts/ball-white.png whole/ball-white.png && die "bounces between dents are not seen"
 echo "resumed and uninterrupted bakes agree byte for byte"
 
 # A killed bake, over the file of an earlier one.

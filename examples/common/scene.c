@@ -303,6 +303,31 @@ int scene_ball(double fineness, scene *s, why *w) {
     return finish(&b, s, w);
 }
 
+int scene_room(double fineness, scene *s, why *w) {
+    const double near_wall = 0.996, above = 0.004;         /* vertices in a crease would see behind the other wall */
+    const quad walls[4] = { { { -near_wall, -near_wall, 0 }, { 2 * near_wall, 0, 0 }, { 0, 2 * near_wall, 0 } },
+                            { { -near_wall, 1, above }, { 2 * near_wall, 0, 0 }, { 0, 0, 1.5 } },
+                            { { -1, -near_wall, above }, { 0, 2 * near_wall, 0 }, { 0, 0, 1.5 } },
+                            { { 1, near_wall, above }, { 0, -2 * near_wall, 0 }, { 0, 0, 1.5 } } };
+    static const double colours[4][3] = { { 0.75, 0.75, 0.75 }, { 0.75, 0.75, 0.75 }, { 0.75, 0.12, 0.08 },
+                                          { 0.12, 0.6, 0.15 } };
+    static const char *const names[4] = { "floor", "white wall", "red wall", "green wall" };
+    const ball white = { { -0.35, 0.3, 0.4 }, 0.4 }, small = { { 0.45, -0.25, 0.28 }, 0.28 };
+    builder b;
+    int k;
+    memset(&b, 0, sizeof b);
+    memset(s, 0, sizeof *s);
+    for (k = 0; k < 4; k++) {
+        add_sheet(&b, strips(fineness, 30), strips(fineness, k ? 24 : 30), 0, quad_form, &walls[k]);
+        end_part(s, &b, names[k], matter(colours[k][0], colours[k][1], colours[k][2], 0.25, 24));
+    }
+    add_ball(&b, fineness, 36, 18, &white);
+    end_part(s, &b, "white ball", matter(0.8, 0.8, 0.8, 0.25, 24));
+    add_ball(&b, fineness, 30, 15, &small);
+    end_part(s, &b, "small ball", matter(0.8, 0.7, 0.4, 0.25, 24));
+    return finish(&b, s, w);
+}
+
 static material glass(double r, double g, double blue) {
     material m = matter(0.04, 0.04, 0.04, 0, 1);
     m.transmissive = rgb(r, g, blue);

@@ -37,6 +37,10 @@ int  scene_shapes(double fineness, scene *s, why *w);
 /* A small white ball over a wide platform: what lengthens a shadow. */
 int  scene_ball(double fineness, scene *s, why *w);
 
+/* Two balls in a room without ceiling and front, a red wall to the left and a green one to the right: what makes light
+   go back and forth. */
+int  scene_room(double fineness, scene *s, why *w);
+
 /* A clear and a red ball of glass and a white one on a platform: what makes caustics. */
 int  scene_glass(double fineness, scene *s, why *w);
 
