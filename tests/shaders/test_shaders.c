@@ -3,11 +3,12 @@
      1. the description, evaluated in double, with the function of prt.h (double) that it stands for;
      2. what the language computed with the description, within the running error bound of float arithmetic.
 
-     test_shaders TARGET... [--naga MODULES] [--only KERNEL] [--bands some|all] [--markdown FILE] [--cost FILE]
+     test_shaders TARGET... [--naga MODULES] [--only KERNEL] [--bands A-B] [--markdown FILE] [--cost FILE]
 
-   TARGET: a line of the table `targets`. One line of TAP a kernel; a target that this machine cannot run is skipped, with
-   the reason. C and Metal run at 1 to 10 bands, the others, which take long to compile, at 4 unless --bands all.
-   --markdown writes the outcomes at 4 bands as tables, --cost how many instructions the kernels have. */
+   TARGET: a line of the table `targets`. One line of TAP a kernel and number of bands; a target that this machine cannot
+   run is skipped, with the reason. --bands: which numbers of bands to run; each kernel at those that it has. By default
+   every one where that is quick, a few elsewhere (see `targets`). --markdown writes the outcomes as tables, --cost how
+   many instructions the kernels have. */
 #include <dlfcn.h>
 #include <float.h>
 #include <stdarg.h>
@@ -26,7 +27,9 @@
 #include "runner.h"
 #include "wrapper.h"
 
-enum { ITEMS = 2048, LONG_ITEMS = 512, LONG = 128 };   /* fewer inputs where they and the outputs are more than LONG */
+/* Inputs a kernel; fewer where a call has more than LONG numbers, and there for fragment shaders, which compute all of a
+   call for each output */
+enum { ITEMS = 2048, LONG_ITEMS = 512, LONG_FRAGMENT_ITEMS = 128, LONG = 128 };
 static char folder[64];                                /* of what external tools read and write */
 
 /* ---- targets ---- */
@@ -35,24 +38,30 @@ static char folder[64];                                /* of what external tools
    of it; MSL is what spirv-cross makes of the SPIR-V of GLSL, run as the Metal text is. WEBGPU is headless Chromium's. */
 typedef enum route { BY_C, BY_CXX, BY_FRAGMENT, BY_COMPUTE, BY_SPIRV, BY_MSL, BY_WEBGPU } route;
 
-typedef struct target { const char *name, *language, *version; precision precision; route route; } target;
+/* from, to: bands that are run by default */
+typedef struct target {
+    const char *name, *language, *version;
+    precision precision;
+    route route;
+    int from, to;
+} target;
 static const target targets[] = {
-    { "c", "c", "", PRECISION_FLOAT, BY_C },
-    { "metal", "metal", "", PRECISION_FLOAT, BY_CXX },
-    { "glsl330", "glsl", "330", PRECISION_FLOAT, BY_FRAGMENT },
-    { "glsl430", "glsl", "430", PRECISION_FLOAT, BY_COMPUTE },
-    { "glsl450", "glsl", "450", PRECISION_FLOAT, BY_SPIRV },
-    { "hlsl", "hlsl", "", PRECISION_FLOAT, BY_SPIRV },
-    { "wgsl", "wgsl", "", PRECISION_FLOAT, BY_SPIRV },
-    { "webgpu", "wgsl", "", PRECISION_FLOAT, BY_WEBGPU },
-    { "msl", "glsl", "450", PRECISION_FLOAT, BY_MSL },
-    { "c-half", "c", "", PRECISION_HALF, BY_C },
-    { "metal-half", "metal", "", PRECISION_HALF, BY_CXX },
-    { "glsl-mediump", "glsl", "430", PRECISION_HALF, BY_COMPUTE },
-    { "glsl-float16", "glsl", "450", PRECISION_FLOAT16, BY_SPIRV },
-    { "hlsl-min16float", "hlsl", "", PRECISION_HALF, BY_SPIRV },
-    { "hlsl-float16", "hlsl", "", PRECISION_FLOAT16, BY_SPIRV },
-    { "wgsl-f16", "wgsl", "", PRECISION_HALF, BY_SPIRV },
+    { "c", "c", "", PRECISION_FLOAT, BY_C, 1, 10 },
+    { "metal", "metal", "", PRECISION_FLOAT, BY_CXX, 1, 10 },
+    { "glsl330", "glsl", "330", PRECISION_FLOAT, BY_FRAGMENT, 3, 4 },
+    { "glsl430", "glsl", "430", PRECISION_FLOAT, BY_COMPUTE, 3, 4 },
+    { "glsl450", "glsl", "450", PRECISION_FLOAT, BY_SPIRV, 1, 10 },
+    { "hlsl", "hlsl", "", PRECISION_FLOAT, BY_SPIRV, 3, 4 },
+    { "wgsl", "wgsl", "", PRECISION_FLOAT, BY_SPIRV, 3, 4 },
+    { "webgpu", "wgsl", "", PRECISION_FLOAT, BY_WEBGPU, 3, 4 },
+    { "msl", "glsl", "450", PRECISION_FLOAT, BY_MSL, 3, 5 },
+    { "c-half", "c", "", PRECISION_HALF, BY_C, 4, 4 },
+    { "metal-half", "metal", "", PRECISION_HALF, BY_CXX, 4, 4 },
+    { "glsl-mediump", "glsl", "430", PRECISION_HALF, BY_COMPUTE, 4, 4 },
+    { "glsl-float16", "glsl", "450", PRECISION_FLOAT16, BY_SPIRV, 4, 4 },
+    { "hlsl-min16float", "hlsl", "", PRECISION_HALF, BY_SPIRV, 4, 4 },
+    { "hlsl-float16", "hlsl", "", PRECISION_FLOAT16, BY_SPIRV, 4, 4 },
+    { "wgsl-f16", "wgsl", "", PRECISION_HALF, BY_SPIRV, 4, 4 },
 };
 enum { TARGETS = sizeof targets / sizeof targets[0] };
 
@@ -344,7 +353,12 @@ static void compare(const job *j, const target *t, outcome *o) {
     }
 }
 
-static int open_job(job *j, const family *f, int bands, precision p) {
+static int items_of(const work *w, const target *t) {
+    if (w->ins + w->outs <= LONG) return ITEMS;
+    return t->route == BY_FRAGMENT ? LONG_FRAGMENT_ITEMS : LONG_ITEMS;
+}
+
+static int open_job(job *j, const family *f, int bands, const target *t) {
     double values[1024];
     float *in;
     int item, i;
@@ -354,13 +368,13 @@ static int open_job(job *j, const family *f, int bands, precision p) {
     kernel_count_uses(j->k);
     j->work.ins = kernel_inputs(j->k);
     j->work.outs = kernel_outputs(j->k);
-    j->work.items = j->work.ins + j->work.outs > LONG ? LONG_ITEMS : ITEMS;
+    j->work.items = items_of(&j->work, t);
     j->work.in = in = (float *)calloc((size_t)j->work.items * (size_t)j->work.ins + 1, sizeof *in);
     j->work.out = (float *)calloc((size_t)j->work.items * (size_t)j->work.outs, sizeof *in);
     if (!in || !j->work.out) return why_set(&reason, "out of memory");
     for (item = 0; item < j->work.items; item++) {
         fill_inputs(j->k, item, values);
-        for (i = 0; i < j->work.ins; i++) in[item * j->work.ins + i] = (float)round_input(values[i], p);
+        for (i = 0; i < j->work.ins; i++) in[item * j->work.ins + i] = (float)round_input(values[i], t->precision);
     }
     return 0;
 }
@@ -371,8 +385,8 @@ static void close_job(job *j) {
     free(j->work.out);
 }
 
-enum { MAX_FAMILIES = 100, MAX_JOBS = 600 };
-static outcome outcomes[MAX_FAMILIES][TARGETS];        /* at 4 bands, for the table */
+enum { MAX_FAMILIES = 100, MAX_JOBS = 1000, MAX_BANDS = 10, PAGE_BANDS = 4 };
+static outcome outcomes[MAX_FAMILIES][TARGETS][MAX_BANDS + 1];         /* [bands]; 0 where bands mean nothing */
 static int passed, failed;
 
 static void judge(const target *t, const job *j, int number, void *library) {
@@ -386,32 +400,41 @@ static void judge(const target *t, const job *j, int number, void *library) {
         compare(j, t, &o);
         ok = o.bound_share <= 1 && o.description <= 2e-14 * j->bands + r->approximation;
     }
-    printf("%s %d - %s %s %d bands: description %.1e, error %.2e, %.2f of its bound%s%s\n", ok ? "ok" : "not ok",
+    printf("%s %d - %s %s, %d bands: description %.1e, error %.2e, %.2f of its bound%s%s\n", ok ? "ok" : "not ok",
            passed + failed + 1, t->name, j->family->name, j->bands, o.description, o.error, o.bound_share,
            *reason.line ? ": " : "", reason.line);
-    if (j->bands == 4) outcomes[j->family - families][t - targets] = o;
+    outcomes[j->family - families][t - targets][j->family->max_bands ? j->bands : 0] = o;
     passed += ok;
     failed += !ok;
 }
 
 static const char *only;                               /* kernel, NULL: every */
-static int all_bands;
+static int bands_from, bands_to;                       /* of --bands; 0: the target's own */
+
+/* llvmpipe's LLVM takes half a minute for each kernel of this size, products of 6 bands */
+enum { LONGEST_FOR_LLVMPIPE = 2500 };
+
+static int too_long(const target *t, const job *j) {
+    op_count c = kernel_operations(j->k);
+    int by_llvmpipe = t->route == BY_FRAGMENT || t->route == BY_COMPUTE || t->route == BY_SPIRV;
+    return by_llvmpipe && !only && c.multiplications + c.additions > LONGEST_FOR_LLVMPIPE;
+}
 
 static int open_jobs(const target *t, job *jobs) {
-    static const int bands_of[] = { 1, 2, 3, 4, 5, 8, 10 };
-    int f, count = 0;
-    size_t b;
+    int from = bands_from ? bands_from : t->from, to = bands_to ? bands_to : t->to, f, bands, count = 0;
     for (f = 0; f < family_count; f++) {
-        if (!(families[f].forms & FORM_TEXT) || (only && strcmp(only, families[f].name))) continue;
-        if (!find_reference(families[f].name)) {
-            printf("not ok %d - no line in REFERENCES for the kernel %s\n", passed + ++failed, families[f].name);
+        const family *has = &families[f];
+        if (!(has->forms & FORM_TEXT) || (only && strcmp(only, has->name))) continue;
+        if (!find_reference(has->name)) {
+            printf("not ok %d - no line in REFERENCES for the kernel %s\n", passed + ++failed, has->name);
             continue;
         }
-        for (b = 0; b < sizeof bands_of / sizeof bands_of[0]; b++) {
-            int bands = bands_of[b];
-            if (families[f].max_bands == 0 ? bands != 4 : bands < families[f].min_bands || bands > families[f].max_bands) continue;
-            if (bands != 4 && !all_bands && (t->route > BY_CXX || t->precision != PRECISION_FLOAT)) continue;
-            if (open_job(&jobs[count++], &families[f], bands, t->precision)) return -1;
+        for (bands = from; bands <= to && bands <= MAX_BANDS; bands++) {
+            if (has->max_bands ? bands < has->min_bands || bands > has->max_bands : bands > from) continue;
+            if (count == MAX_JOBS) return why_set(&reason, "more than %d kernels: raise MAX_JOBS", MAX_JOBS);
+            if (open_job(&jobs[count], has, bands, t)) return -1;
+            if (too_long(t, &jobs[count])) close_job(&jobs[count]);
+            else count++;
         }
     }
     return count;
@@ -447,25 +470,60 @@ static int prove(const target *t) {
 
 /* ---- the page ---- */
 
-static void print_page_table(FILE *page, int half) {
-    int i, f;
-    fprintf(page, half ? "| kernel | largest output |" : "| kernel | largest output | description |");
+static const outcome *page_outcome(int f, int t) { return &outcomes[f][t][families[f].max_bands ? PAGE_BANDS : 0]; }
+static int was_run(const outcome *o) { return o->bound_share > 0 || o->error > 0 || o->largest > 0; }
+
+static void print_page_head(FILE *page, const char *first, int columns, int half) {
+    int i;
+    fprintf(page, "%s", first);
     for (i = 0; i < TARGETS; i++)
         if ((targets[i].precision != PRECISION_FLOAT) == half) fprintf(page, " %s |", targets[i].name);
-    fprintf(page, half ? "\n|---|---|" : "\n|---|---|---|");
+    fprintf(page, "\n|");
+    for (i = 0; i < columns; i++) fprintf(page, "---|");
     for (i = 0; i < TARGETS; i++)
         if ((targets[i].precision != PRECISION_FLOAT) == half) fprintf(page, "---|");
     fprintf(page, "\n");
+}
+
+static void print_page_table(FILE *page, int half) {
+    int i, f;
+    if (half) print_page_head(page, "| kernel | largest output |", 2, half);
+    else print_page_head(page, "| kernel | largest output | description |", 3, half);
     for (f = 0; f < family_count; f++) {
-        if (!(families[f].forms & FORM_TEXT) || families[f].min_bands > 4) continue;
-        fprintf(page, "| %s | %.2g |", families[f].name, outcomes[f][0].largest);
-        if (!half) fprintf(page, " %.0e |", outcomes[f][0].description);
-        for (i = 0; i < TARGETS; i++)
-            if ((targets[i].precision != PRECISION_FLOAT) == half) {
-                const outcome *o = &outcomes[f][i];
-                if (o->bound_share > 0 || o->error > 0 || o->largest > 0) fprintf(page, " %.1e (%.2f) |", o->error, o->bound_share);
-                else fprintf(page, " – |");
+        if (!(families[f].forms & FORM_TEXT) || families[f].min_bands > PAGE_BANDS) continue;
+        fprintf(page, "| %s | %.2g |", families[f].name, page_outcome(f, 0)->largest);
+        if (!half) fprintf(page, " %.0e |", page_outcome(f, 0)->description);
+        for (i = 0; i < TARGETS; i++) {
+            const outcome *o = page_outcome(f, i);
+            if ((targets[i].precision != PRECISION_FLOAT) != half) continue;
+            if (was_run(o)) fprintf(page, " %.1e (%.2f) |", o->error, o->bound_share);
+            else fprintf(page, " – |");
+        }
+        fprintf(page, "\n");
+    }
+}
+
+/* The worst at any number of bands, and which these were */
+static void print_bands_table(FILE *page, int half) {
+    int i, f, bands;
+    print_page_head(page, "| kernel |", 1, half);
+    for (f = 0; f < family_count; f++) {
+        if (!(families[f].forms & FORM_TEXT) || !families[f].max_bands) continue;
+        fprintf(page, "| %s |", families[f].name);
+        for (i = 0; i < TARGETS; i++) {
+            double worst = 0;
+            int first = 0, last = 0;
+            if ((targets[i].precision != PRECISION_FLOAT) != half) continue;
+            for (bands = 1; bands <= MAX_BANDS; bands++) {
+                const outcome *o = &outcomes[f][i][bands];
+                if (!was_run(o)) continue;
+                if (!first) first = bands;
+                last = bands;
+                if (!(o->bound_share <= worst)) worst = o->bound_share;
             }
+            if (first) fprintf(page, " %.2f (%d–%d) |", worst, first, last);
+            else fprintf(page, " – |");
+        }
         fprintf(page, "\n");
     }
 }
@@ -475,12 +533,13 @@ static int write_page(const char *path) {
     if (!page) return why_set(&reason, "cannot write %s", path);
     fprintf(page,
         "<!-- Written by test_shaders --markdown: do not edit. -->\n# Generated kernels in every language, against prt.h\n\n"
-        "4 bands, %d inputs each (%d where a call has more than %d numbers), the axes, places from 1e-0.5 to 1e-9 rad off the poles, zero and full cones and vectors of\n"
+        "4 bands, %d inputs each (%d, glsl330 %d, where a call has more than %d numbers), the axes, places from 1e-0.5 to 1e-9 rad off the poles, zero and full cones and vectors of\n"
         "length 0 among them. *Largest output*: to set errors against. *Description*: largest difference between the description,\n"
         "evaluated in double, and the function of prt.h in double, over the largest output; above 1e-13 it is that of the\n"
         "polynomials that stand for sine and arc functions. The other columns: largest difference between what the language\n"
         "computed and the description in double at the same inputs; in parentheses the largest share of the running error bound\n"
-        "that the operations of the kernel allow: above 1 the test fails. –: not run here.\n\n", ITEMS, LONG_ITEMS, LONG);
+        "that the operations of the kernel allow: above 1 the test fails. –: not run here.\n\n", ITEMS, LONG_ITEMS,
+        LONG_FRAGMENT_ITEMS, LONG);
     fprintf(page,
         "How each was run. c: the C compiler (%s). metal: as C++ through a shim of `<metal_stdlib>`; no Metal compiler was at\n"
         "hand, so Metal's own rules were not checked. glsl330: fragment shader, glsl430: compute shader, by OSMesa (llvmpipe).\n"
@@ -490,11 +549,19 @@ static int write_page(const char *path) {
         have_vulkan ? vulkan_name() : "OpenGL", have_vulkan ? " by Vulkan" : ", after spirv-cross",
         *webgpu_name ? ", " : "", webgpu_name);
     print_page_table(page, 0);
+    fprintf(page, "\n## Every number of bands\n\n"
+        "The largest share of the bound at any number of bands, and from which to which number it was run. A language has a\n"
+        "kernel at each number of bands that `prt_codegen --list` names. llvmpipe, which runs glsl330, glsl430 and all SPIR-V, is\n"
+        "not given kernels of more than %d operations, products of 6 bands: its LLVM compiles each for half a minute.\n\n",
+        LONGEST_FOR_LLVMPIPE);
+    print_bands_table(page, 0);
     fprintf(page, "\n## Half precision\n\n"
         "Inputs are halves, constants too. c-half: `_Float16`, each operation rounded; metal-half: C++ that rounds each operation;\n"
         "glsl-float16, hlsl-float16 and wgsl-f16: 16-bit types in SPIR-V; glsl-mediump and hlsl-min16float leave the width to the\n"
         "driver, and this one takes 32 bits.\n\n");
     print_page_table(page, 1);
+    fprintf(page, "\nThe largest share of the bound at any number of bands:\n\n");
+    print_bands_table(page, 1);
     return fclose(page) ? why_set(&reason, "cannot write %s", path) : 0;
 }
 
@@ -587,7 +654,10 @@ int main(int argc, char **argv) {
     for (i = 1; i + 1 < argc; i++) {
         if (!strcmp(argv[i], "--naga")) naga_modules = argv[i + 1];
         if (!strcmp(argv[i], "--only")) only = argv[i + 1];
-        if (!strcmp(argv[i], "--bands")) all_bands = !strcmp(argv[i + 1], "all");
+        if (!strcmp(argv[i], "--bands") && sscanf(argv[i + 1], "%d-%d", &bands_from, &bands_to) != 2) {
+            fprintf(stderr, "test_shaders: --bands %s: give A-B\n", argv[i + 1]);
+            return 2;
+        }
         if (!strcmp(argv[i], "--markdown")) page = argv[i + 1];
         if (!strcmp(argv[i], "--cost")) costs = argv[i + 1];
     }
