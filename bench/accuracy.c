@@ -7,6 +7,7 @@
 #define _POSIX_C_SOURCE 200809L
 #include "accuracy_forms.h"
 #include "bench.h"
+#include "command.h"
 
 #include <math.h>
 #include <mpfr.h>
@@ -212,26 +213,17 @@ static void measure(FILE *csv, int as_float, int max_bands) {
     free(got); free(truth.unit); free(truth.raw);
 }
 
-static int usage(const char *problem) {
-    if (problem) fprintf(stderr, "accuracy: what is %s?\n", problem);
-    fprintf(problem ? stderr : stdout,
-            "usage: accuracy [--csv FILE] [--bands N]\n"
-            "  --csv FILE   where to write [standard output]\n"
-            "  --bands N    largest number of bands, 1 to %d [%d]\n", MAX_BANDS, MAX_BANDS);
-    return problem ? 2 : 0;
-}
-
 int main(int argc, char **argv) {
-    int max_bands = MAX_BANDS, failed, i;
-    FILE *csv = stdout;
-    for (i = 1; i < argc; i++) {
-        if (!strcmp(argv[i], "--csv") && i + 1 < argc) {
-            csv = fopen(argv[++i], "w");
-            if (!csv) { fprintf(stderr, "accuracy: cannot write %s; choose another place\n", argv[i]); return 1; }
-        } else if (!strcmp(argv[i], "--bands") && i + 1 < argc) max_bands = atoi(argv[++i]);
-        else return usage(strcmp(argv[i], "--help") ? argv[i] : NULL);
-    }
-    if (max_bands < 1 || max_bands > MAX_BANDS) return usage("that number of --bands");
+    const char *path = NULL;
+    int max_bands = MAX_BANDS;
+    const command_option options[] = {
+        { "--csv", "FILE", "where to write [standard output]", &path, NULL, 0, 0 },
+        { "--bands", "N", "largest number of bands [1024]", NULL, &max_bands, 1, MAX_BANDS }
+    };
+    const command line = { "accuracy", NULL, NULL, options, 2 };
+    FILE *csv;
+    command_read(&line, argc, argv);
+    csv = path ? command_open(&line, path) : stdout;
     signal(SIGINT, on_interrupt);
     fprintf(csv, "# prt.h %s\n# machine: %s\n# compiler: %s\n# flags: %s\n", BENCH_VERSION, bench_cpu_name(),
             BENCH_COMPILER, BENCH_FLAGS);
@@ -239,10 +231,6 @@ int main(int argc, char **argv) {
     measure(csv, 1, max_bands);
     measure(csv, 0, max_bands);
     if (interrupted) fprintf(stderr, "accuracy: interrupted; written is what the directions done until then show\n");
-    failed = ferror(csv) != 0;
-    if (fclose(csv) || failed) {
-        fprintf(stderr, "accuracy: could not write all of the output; is the disk full?\n");
-        return 1;
-    }
+    if (command_close(&line, csv)) return 1;
     return interrupted ? 130 : 0;
 }

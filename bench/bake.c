@@ -7,6 +7,7 @@
 #define PRT_BAKE_IMPLEMENTATION
 #include "bake_forms.h"
 #include "bench.h"
+#include "command.h"
 #include "embree_tracer.h"
 
 #include <embree3/rtcore.h>
@@ -284,39 +285,33 @@ static void error(const mesh *m, const char *mesh_name, const prt_tracer *tracer
     free(w.u); free(w.v); free(w.rays); free(w.blocked);
 }
 
-static int usage(void) {
-    fprintf(stderr, "usage: bake speed|error [--mesh FILE] [--csv FILE]\n");
-    return 2;
-}
-
 int main(int argc, char **argv) {
     const char *mesh_name = default_mesh, *csv_name = "/dev/null", *base;
+    const command_option options[] = {
+        { "--mesh", "FILE", "[bunny.obj of glmark2-data]", &mesh_name, NULL, 0, 0 },
+        { "--csv", "FILE", "write every figure as comma-separated values", &csv_name, NULL, 0, 0 }
+    };
+    const command line = { "bake", "speed|error", NULL, options, 2 };
     embree_tracer embree;
     mesh m;
     why w;
     FILE *csv;
-    int k, failed;
-    if (argc < 2 || (strcmp(argv[1], "speed") && strcmp(argv[1], "error"))) return usage();
-    for (k = 2; k + 1 < argc; k += 2) {
-        if (!strcmp(argv[k], "--mesh")) mesh_name = argv[k + 1];
-        else if (!strcmp(argv[k], "--csv")) csv_name = argv[k + 1];
-        else return usage();
+    if (command_read(&line, argc, argv) != 1 || (strcmp(argv[0], "speed") && strcmp(argv[0], "error"))) {
+        fprintf(stderr, "bake: speed or error? (--help tells more)\n");
+        return 2;
     }
-    if (k != argc) return usage();
     memset(&w, 0, sizeof w);
     if (mesh_load(mesh_name, MESH_Y_UP, &m, &w) || embree_tracer_create(&embree, &w) ||
         embree_tracer_add(&embree, &m, 0, &w) || embree_tracer_build(&embree, &w)) {
         fprintf(stderr, "bake: %s\n", w.line);
         return 1;
     }
-    csv = fopen(csv_name, "w");
-    if (!csv) { fprintf(stderr, "bake: cannot write %s\n", csv_name); return 1; }
+    csv = command_open(&line, csv_name);
     base = strrchr(mesh_name, '/');
     base = base ? base + 1 : mesh_name;
-    if (!strcmp(argv[1], "speed")) speed(&m, base, (RTCScene)embree.scene, csv);
+    if (!strcmp(argv[0], "speed")) speed(&m, base, (RTCScene)embree.scene, csv);
     else error(&m, base, &embree.tracer, csv);
-    failed = ferror(csv);
-    if (fclose(csv) || failed) { fprintf(stderr, "bake: writing %s failed\n", csv_name); return 1; }
+    if (command_close(&line, csv)) return 1;
     embree_tracer_destroy(&embree);
     mesh_free(&m);
     return 0;

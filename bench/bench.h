@@ -19,6 +19,7 @@ typedef struct bench_data {
     const void *x, *y, *z;    /* the same directions, real[BENCH_DIRECTIONS] each */
     const void *f, *g;        /* coefficients, 3 x 64 x 64 reals each: random, band l scaled by 1/(1+l) */
     const void *rows;         /* as many reals as `out` holds: rows of coefficients, for batches that read them */
+    const void *rotation;     /* real[9], row-major, v' = R v: the turn of the jobs "rotate", "rotate_by" and others */
     const float *image;       /* equirectangular, [BENCH_IMAGE_HEIGHT][BENCH_IMAGE_WIDTH][3] */
     const float *const *cube; /* six faces, [BENCH_CUBE_SIZE][BENCH_CUBE_SIZE][3] each */
     void *out;                /* out_bytes of room */

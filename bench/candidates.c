@@ -20,15 +20,11 @@
 #define IMAGE (data->image)
 #define CUBE (data->cube)
 #define OUT ((prt_real *)data->out)
-#define ROTATION turn
+#define ROTATION ((const prt_real *)data->rotation)
 
-/* A rotation without symmetry, and its blocks for the number of bands in work. */
-static const prt_real turn[9] = {
-    (prt_real)0.36, (prt_real)0.48, (prt_real)-0.8, (prt_real)-0.8, (prt_real)0.6, 0, (prt_real)0.48, (prt_real)0.64,
-    (prt_real)0.6
-};
+/* What a job needs beside its inputs, made before the clock runs: matrices of the rotation, and of products. */
 enum { MATRIX_BANDS = 10 };
-static const prt_real *blocks_of(int n) {
+static const prt_real *blocks_of(int n, const prt_real *turn) {
     static prt_real blocks[PRT_MAX_BANDS * (4 * PRT_MAX_BANDS * PRT_MAX_BANDS - 1) / 3];
     static int built;
     if (n != built && prt_sh_rotation(n, turn, blocks) == PRT_OK) built = n;
@@ -123,7 +119,8 @@ static const vo_scene *vo_scene_of(void) {
 /* Made before the clock runs: what the candidate does not name costs nothing. */
 #define BLOCKS blocks
 #define MATRIX matrix
-#define PREPARED const prt_real *blocks = n > 0 ? blocks_of(n) : NULL, *matrix = n > 0 ? matrix_of(n, F) : NULL; \
+#define PREPARED const prt_real *blocks = n > 0 ? blocks_of(n, ROTATION) : NULL; \
+    const prt_real *matrix = n > 0 ? matrix_of(n, F) : NULL; \
     (void)blocks; (void)matrix; (void)n; (void)items;
 
 /* A table of random vectors on 33 x 64 x 30 places, as large as one that is baked (2.3 MB in float), 32 x 32 receivers

@@ -10,6 +10,7 @@
 #define PRT_IMPLEMENTATION
 #include "prt.h"
 #include "bench.h"
+#include "command.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -458,26 +459,16 @@ static int plot_blockers(const char *path) {
     return pclose(p) == 0;
 }
 
-static int usage(void) {
-    fprintf(stderr, "masks: usage: masks [-o FILE.md] [--plot FILE.png] [--plot-blockers FILE.svg]\n");
-    return 2;
-}
-
 int main(int argc, char **argv) {
     const char *picture = NULL, *blockers = NULL, *page = NULL, *name;
-    int i;
-    for (i = 1; i < argc; i += 2) {
-        if (i + 1 == argc) return usage();
-        if (!strcmp(argv[i], "-o")) page = argv[i + 1];
-        else if (!strcmp(argv[i], "--plot")) picture = argv[i + 1];
-        else if (!strcmp(argv[i], "--plot-blockers")) blockers = argv[i + 1];
-        else return usage();
-    }
-    to = page ? fopen(page, "w") : stdout;
-    if (!to) {
-        fprintf(stderr, "masks: cannot write %s: check the path and its permissions\n", page);
-        return 1;
-    }
+    const command_option options[] = {
+        { "-o", "FILE.md", "where to write the page [standard output]", &page, NULL, 0, 0 },
+        { "--plot", "FILE.png", "draw chains of masks", &picture, NULL, 0, 0 },
+        { "--plot-blockers", "FILE.svg", "draw error against time for many blockers", &blockers, NULL, 0, 0 }
+    };
+    const command line = { "masks", NULL, NULL, options, 3 };
+    command_read(&line, argc, argv);
+    to = page ? command_open(&line, page) : stdout;
     make_dense();
     fprintf(to, "# Chains of masks\n\nWritten by `bench/masks.c` on %s, %s, %s, float, %d lanes. `prt_sh_mask` windows\n"
             "both factors, `prt_sh_mask_filter` the filter alone. %d random lights of norm 1 a cell; norms are the largest of\n"
@@ -499,10 +490,7 @@ int main(int argc, char **argv) {
     print_blockers(6);
     if (blockers) fprintf(to, "\n![Error against time for 16 blockers, 2 to 8 bands](plots/blockers_pareto.svg)\n\n"
                               "![Error against time of products](plots/product_pareto.svg)\n");
-    if (ferror(to) || (page && fclose(to))) {
-        fprintf(stderr, "masks: cannot write %s: is the disk full?\n", page ? page : "the page");
-        return 1;
-    }
+    if (command_close(&line, to)) return 1;
     if (picture && !plot(picture)) {
         fprintf(stderr, "masks: no plot %s: gnuplot is missing or failed; install gnuplot-nox\n", picture);
         return 1;

@@ -33,8 +33,10 @@
    of the job; the jobs are the lines of candidates.h. EACH jobs call once for each item and write all results to the
    same place, followed by BENCH_KEEP; BATCH jobs write their items one after the other: [items][n^2] for "eval_n",
    coefficient i of direction k at out[i * items + k] for "eval_soa". Everything that a library prepares once belongs
-   outside of the timed loop. Whoever takes part in a job "eval..." is checked before it is timed: its squares must sum
-   to n^2 / (4 pi) a direction, which holds for every sign and order of the coefficients. */
+   outside of the timed loop. "rotate" turns data->f by data->rotation, "rotate_by" does it with matrices made before,
+   "product" multiplies data->f and data->g. Whoever takes part in a job "eval...", "rotate" or "rotate_by" is checked
+   before it is timed: its squares must sum to n^2 / (4 pi) a direction, or to those of data->f, which holds for every
+   sign and order of the coefficients. */
 #ifndef BENCH_PEER_H
 #define BENCH_PEER_H
 

@@ -11,6 +11,7 @@
 #define PRT_IMPLEMENTATION
 #include "prt.h"
 #include "bench.h"
+#include "command.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -127,11 +128,11 @@ static int plot(const char *path, double error[WAYS][MOST + 1], double time[WAYS
 
 int main(int argc, char **argv) {
     static double error[WAYS][MOST + 1], time[WAYS][MOST + 1];
+    const char *picture = NULL;
+    const command_option options[] = { { "--plot", "FILE.svg", "draw error against time", &picture, NULL, 0, 0 } };
+    const command line = { "products", NULL, NULL, options, 1 };
     int way, n, i;
-    if (argc != 1 && !(argc == 3 && !strcmp(argv[1], "--plot"))) {
-        fprintf(stderr, "products: usage: products [--plot FILE.svg]\n");
-        return 2;
-    }
+    command_read(&line, argc, argv);
     for (i = 0; i < SIZE * PAIRS; i++) {
         f[i] = (prt_real)(rand() / (double)RAND_MAX - 0.5);
         g[i] = (prt_real)(rand() / (double)RAND_MAX - 0.5);
@@ -148,8 +149,8 @@ int main(int argc, char **argv) {
         }
         printf("\n");
     }
-    if (argc == 3 && !plot(argv[2], error, time)) {
-        fprintf(stderr, "products: no plot: check that gnuplot is installed and %s can be written\n", argv[2]);
+    if (picture && !plot(picture, error, time)) {
+        fprintf(stderr, "products: no plot: check that gnuplot is installed and %s can be written\n", picture);
         return 1;
     }
     return 0;

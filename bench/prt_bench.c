@@ -1,8 +1,8 @@
 /* prt_bench.c - measures the candidates of candidates.h and whatever peers are plugged in (peer.h), prints the tables,
    and writes CSV. */
+#include "command.h"
 #include "configurations.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 typedef struct output {
@@ -82,67 +82,30 @@ static void show(void *user, const bench_row *rows, int count) {
     if (out->markdown) markdown_group(out->markdown, rows, count);
 }
 
-static void usage(FILE *f) {
-    fputs("usage: prt_bench [--filter WORDS] [--csv FILE] [--markdown FILE] [--quick] [--rounds N]\n"
-          "  --filter WORDS   only rows whose job, name, build, precision and bands contain each word;\n"
-          "                   =word is a whole word: --filter \"=eval float =5 native\"\n"
-          "  --csv FILE       write every figure as comma-separated values\n"
-          "  --markdown FILE  write the tables as markdown\n"
-          "  --quick          fewer and shorter rounds: rough figures in a tenth of the time\n"
-          "  --rounds N       timed rounds of each row [31]\n"
-          "Times are for one item, median of all rounds; +-% is half the interquartile range. /first compares with\n"
-          "the first row, /write and /copy with memset and memcpy of the same output bytes, /peak with the\n"
-          "multiply-adds of the same build at their peak rate, all measured in the same rounds.\n", f);
-}
-
-static FILE *open_output(const char *path) {
-    FILE *f = fopen(path, "w");
-    if (!f) {
-        fprintf(stderr, "prt_bench: cannot write %s; choose a place that can be written\n", path);
-        exit(1);
-    }
-    return f;
-}
-
-static const char *value_of(int argc, char **argv, int *i) {
-    if (*i + 1 < argc) return argv[++*i];
-    fprintf(stderr, "prt_bench: %s needs a value\n", argv[*i]);
-    usage(stderr);
-    exit(2);
-}
-
-static void parse(int argc, char **argv, bench_options *options, output *out) {
-    int i;
-    for (i = 1; i < argc; i++) {
-        if (!strcmp(argv[i], "--filter")) options->filter = value_of(argc, argv, &i);
-        else if (!strcmp(argv[i], "--csv")) out->csv = open_output(value_of(argc, argv, &i));
-        else if (!strcmp(argv[i], "--markdown")) out->markdown = open_output(value_of(argc, argv, &i));
-        else if (!strcmp(argv[i], "--quick")) { options->rounds = 7; options->slice_ns = 5e4; }
-        else if (!strcmp(argv[i], "--rounds")) options->rounds = atoi(value_of(argc, argv, &i));
-        else if (!strcmp(argv[i], "--help")) { usage(stdout); exit(0); }
-        else {
-            fprintf(stderr, "prt_bench: what is %s?\n", argv[i]);
-            usage(stderr);
-            exit(2);
-        }
-    }
-    if (options->rounds < 1 || options->rounds > 1001) {
-        fprintf(stderr, "prt_bench: --rounds takes 1 to 1001\n");
-        exit(2);
-    }
-}
-
-static int close_output(FILE *f) {
-    int failed;
-    if (!f) return 0;
-    failed = ferror(f) != 0;
-    return fclose(f) || failed;
-}
+static const char about[] =
+    "Every word of a filter is in a row's job, name, build, precision and bands; =word is a whole word of them:\n"
+    "--filter \"=eval float =5 native\". Times are for one item, median of all rounds; +-% is half the interquartile\n"
+    "range. /first compares with the first row, /write and /copy with memset and memcpy of the same output bytes,\n"
+    "/peak with the multiply-adds of the same build at their peak rate, all measured in the same rounds.\n";
 
 int main(int argc, char **argv) {
     bench_options options = { NULL, 31, 2e5 };
     output out = { NULL, NULL, 0, 0 };
-    parse(argc, argv, &options, &out);
+    const char *csv = NULL, *markdown = NULL;
+    int quick = 0, rounds = 0;
+    const command_option known[] = {
+        { "--filter", "WORDS", "only rows that have all of the words", &options.filter, NULL, 0, 0 },
+        { "--csv", "FILE", "write every figure as comma-separated values", &csv, NULL, 0, 0 },
+        { "--markdown", "FILE", "write the tables as markdown", &markdown, NULL, 0, 0 },
+        { "--quick", NULL, "fewer and shorter rounds: rough figures in a tenth of the time", NULL, &quick, 0, 0 },
+        { "--rounds", "N", "timed rounds of each row [31]", NULL, &rounds, 1, 1001 }
+    };
+    const command line = { "prt_bench", NULL, about, known, 5 };
+    command_read(&line, argc, argv);
+    if (quick) { options.rounds = 7; options.slice_ns = 5e4; }
+    if (rounds) options.rounds = rounds;
+    out.csv = command_open(&line, csv);
+    out.markdown = command_open(&line, markdown);
 #define ADD_ROWS(id) { int count; const bench_candidate *rows = bench_rows_##id(&count); bench_add(rows, count); }
     BENCH_CONFIGURATIONS(ADD_ROWS)
 #undef ADD_ROWS
@@ -154,9 +117,5 @@ int main(int argc, char **argv) {
     }
     printf("\nclock: %.2f GHz (median)\n", bench_clock_ghz());
     if (out.csv) fprintf(out.csv, "# clock: %.3f GHz\n", bench_clock_ghz());
-    if (close_output(out.csv) | close_output(out.markdown)) {
-        fprintf(stderr, "prt_bench: could not write all of the output; is the disk full?\n");
-        return 1;
-    }
-    return 0;
+    return command_close(&line, out.csv) | command_close(&line, out.markdown);
 }

@@ -216,19 +216,23 @@ def job_table(speed, job):
     """One row for each number of bands; columns for each candidate in float and double, and the builds of the first."""
     names = speed.values("name", job=job, peer=0)
     first = names[0]
-    header = ["bands", "flops"] + [f"{n}, {p}" for n in names for p in ("float", "double")]
-    header += ["float, portable", "float, portable plain C", "to a plain write", "to peak flops"]
+    header = ["bands", "flops", "bytes"] + [f"{n}, {p}" for n in names for p in ("float", "double")]
+    header += ["± %", "float, portable", "float, portable plain C", "to a plain write", "to a copy", "to peak flops"]
     rows = []
     for bands in speed.values("bands", job=job, peer=0):
         at = dict(job=job, bands=bands, peer=0)
-        row = [bands if bands != "0" else "", figure(speed.one("flops", name=first, **at) or None)]
+        native = dict(name=first, build="native", precision="float", **at)
+        moved = sum(speed.one(f"bytes_{way}", **native) or 0 for way in ("read", "written"))
+        row = [bands if bands != "0" else "", figure(speed.one("flops", name=first, **at) or None),
+               figure(moved or None)]
         for name in names:
             for precision in ("float", "double"):
                 row.append(figure(speed.one("ns", name=name, build="native", precision=precision, **at)))
+        row.append(figure(100 * (speed.one("spread", **native) or 0), 2))
         for build in ("portable", "portable plain"):
             row.append(figure(speed.one("ns", name=first, build=build, precision="float", **at)))
-        native = dict(name=first, build="native", precision="float", **at)
         row.append(figure(speed.one("of_write", **native) or None, 2))
+        row.append(figure(speed.one("of_copy", **native) or None, 2))
         row.append(figure(speed.one("of_flops", **native) or None, 2))
         rows.append(row)
     empty = [i for i in range(1, len(header)) if not any(row[i] for row in rows)]
@@ -292,9 +296,10 @@ def keep_peers(path, kept):
 def speed_page(root, speed, peers):
     text = [f"# Speed\n\n{NOTE}\n", stamp(speed), """
 Nanoseconds for one item: the median of interleaved rounds, so that ratios within a table are firmer than the times.
-*To a plain write* is the time over that of `memset` on the same output bytes; *to peak flops* over the time that the
-same operations take at the machine's peak rate of multiply-adds. Both ceilings run in the same rounds. `native` columns
-use all that the machine has, *portable* the compiler's default target, *plain C* that with `PRT_NO_SIMD`.
+*Flops*, *bytes* (read and written, float), *±* (half the interquartile range) and the ceilings are those of the first
+column. *To a plain write* and *to a copy* are the time over that of `memset` and `memcpy` on the same output bytes; *to
+peak flops* over the time that the same operations take at the machine's peak rate of multiply-adds. All ceilings run in
+the same rounds. `native` columns use all that the machine has, *portable* the compiler's default target, *plain C* that with `PRT_NO_SIMD`.
 [bench/results/speed.csv](../bench/results/speed.csv) has every figure: spreads, minima, cycles, bytes, all builds.
 
 ![Time against bands](plots/eval_time.svg)

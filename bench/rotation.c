@@ -14,6 +14,7 @@
 #include <string.h>
 
 #include "bench.h"
+#include "command.h"
 #define PUBLISHED_REAL long double
 #define PUBLISHED_ROOT(v) sqrtl(v)
 #include "published_rotation.h"
@@ -106,21 +107,6 @@ static void ch_basis(int bands, const double *d, const double *f, double *want) 
 
 /* ---- output ---- */
 
-static FILE *open_output(const char *path) {
-    FILE *f = fopen(path, "w");
-    if (!f) {
-        fprintf(stderr, "rotation: cannot write '%s': check the folder and its permissions\n", path);
-        exit(1);
-    }
-    return f;
-}
-
-static int close_output(FILE *f, const char *path) {
-    if (!f || !fclose(f)) return 0;
-    fprintf(stderr, "rotation: cannot finish '%s': is the disk full?\n", path);
-    return 1;
-}
-
 static int print_blocks(FILE *csv) {
     static double error[4][ROTATION_BANDS];
     int l;
@@ -211,21 +197,17 @@ static void print_streams(FILE *page) {
 
 int main(int argc, char **argv) {
     const char *csv_path = NULL, *points_path = NULL, *page_path = NULL;
-    FILE *csv = NULL, *points = NULL, *page = NULL;
-    int i;
-    for (i = 1; i + 1 < argc; i += 2) {
-        if (!strcmp(argv[i], "--csv")) csv_path = argv[i + 1];
-        else if (!strcmp(argv[i], "--points")) points_path = argv[i + 1];
-        else if (!strcmp(argv[i], "-o")) page_path = argv[i + 1];
-        else break;
-    }
-    if (i < argc) {
-        fprintf(stderr, "rotation: unknown argument '%s': rotation [--csv FILE] [--points FILE] [-o FILE]\n", argv[i]);
-        return 1;
-    }
-    if (csv_path) csv = open_output(csv_path);
-    if (points_path) points = open_output(points_path);
-    if (page_path) page = open_output(page_path);
+    const command_option options[] = {
+        { "--csv", "FILE", "write the error of blocks", &csv_path, NULL, 0, 0 },
+        { "--points", "FILE", "write errors and times", &points_path, NULL, 0, 0 },
+        { "-o", "FILE", "write the page", &page_path, NULL, 0, 0 }
+    };
+    const command line = { "rotation", NULL, NULL, options, 3 };
+    FILE *csv, *points, *page;
+    command_read(&line, argc, argv);
+    csv = command_open(&line, csv_path);
+    points = command_open(&line, points_path);
+    page = command_open(&line, page_path);
     if (page) page_head(page);
     if (!print_blocks(csv)) {
         fprintf(stderr, "rotation: out of memory: 128 bands need 70 MB\n");
@@ -234,5 +216,5 @@ int main(int argc, char **argv) {
     print_turns(page);
     print_streams(page);
     if (points || page) print_points(points, page);
-    return close_output(csv, csv_path) | close_output(points, points_path) | close_output(page, page_path);
+    return command_close(&line, csv) | command_close(&line, points) | command_close(&line, page);
 }

@@ -11,7 +11,6 @@
 #define PRT_BAKE_IMPLEMENTATION
 #include "prt_bake.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -19,6 +18,7 @@
 
 #include "bake_job.h"
 #include "bench.h"
+#include "command.h"
 #include "embree_tracer.h"
 #include "image.h"
 #include "mesh.h"
@@ -26,7 +26,7 @@
 #include "program.h"
 
 enum { WIDTH = 256, HEIGHT = 128, BANDS = 10, N = PRT_SH_COUNT(BANDS), MAPS = 6, LIGHTS = MAPS + 2, OVERCAST = MAPS,
-       SUN = MAPS + 1, SUN_RAYS = 1024, MOST_MESHES = 8, STORAGES = 4 };
+       SUN = MAPS + 1, SUN_RAYS = 1024, STORAGES = 4 };
 static const char *const map_files[MAPS] = { "forest.hdr", "courtyard.hdr", "interior.hdr", "sunrise.hdr", "sunset.hdr",
                                              "studio.hdr" };
 static const int ray_counts[] = { 64, 256, 1024, 4096, 0 };            /* 0: the transfer of the truth's own rays */
@@ -42,7 +42,7 @@ typedef struct light {
 } light;
 
 typedef struct trade {
-    const char *data, *csv_name;
+    const char *data;
     int points, grid, threads;
     light lights[LIGHTS];
 } trade;
@@ -58,9 +58,8 @@ typedef struct subject {
     prt_real *transfer;                /* [count][N] from the truth's rays */
 } subject;
 
-static const char program[] = "trade";
 static int fail(const char *reason) {
-    fprintf(stderr, "%s: %s\n", program, reason);
+    fprintf(stderr, "trade: %s\n", reason);
     return 1;
 }
 
@@ -347,67 +346,36 @@ static int measure(const trade *t, const char *path, FILE *csv, why *w) {
     return failed;
 }
 
-static int usage(FILE *f) {
-    fprintf(f, "usage: trade [--csv FILE] [--points N] [--grid N] [--data DIRECTORY] [--threads N] [mesh ...]\n"
-               "  --csv FILE    where to write [standard output]\n"
-               "  --points N    vertices of each mesh that are looked at [512]\n"
-               "  --grid N      rays a texel of the truth: N x N [4]\n"
-               "  --data DIR    where forest.hdr and the others are [" PRT_EXAMPLE_DATA "]\n"
-               "  --threads N   [all processors]\n"
-               "Meshes stand on a floor [bunny.obj and horse.3ds of glmark2-data].\n");
-    return f == stderr ? 2 : 0;
-}
-
-/* The command line; meshes are left in argv. Returns their number, or -1 - exit code. */
-static int parse(int argc, char **argv, trade *t, why *w) {
-    const struct { const char *name; int *to; long most; } numbers[] = {
-        { "--points", &t->points, 100000 }, { "--grid", &t->grid, 16 }, { "--threads", &t->threads, 1024 }
-    };
-    int k, i, meshes = 0;
-    for (k = 1; k < argc; k++) {
-        const char *value = k + 1 < argc ? argv[k + 1] : NULL;
-        for (i = 0; i < 3 && strcmp(argv[k], numbers[i].name); i++) {}
-        if (i < 3) {
-            long number;
-            if (parse_number(argv[k++], value, 1, numbers[i].most, &number, w)) return -2;
-            *numbers[i].to = (int)number;
-        } else if (!strcmp(argv[k], "--csv") && value) t->csv_name = argv[++k];
-        else if (!strcmp(argv[k], "--data") && value) t->data = argv[++k];
-        else if (!strcmp(argv[k], "--help")) return -1 - usage(stdout);
-        else if (argv[k][0] == '-' || meshes == MOST_MESHES) return -1 - usage(stderr);
-        else argv[meshes++] = argv[k];
-    }
-    return meshes;
-}
-
 int main(int argc, char **argv) {
-    static trade t;
-    char *standard[] = { "/usr/share/glmark2/models/bunny.obj", "/usr/share/glmark2/models/horse.3ds" };
-    char **meshes = argv;
+    static trade t = { PRT_EXAMPLE_DATA, 512, 4, 1, { { "", { 0 }, { 0 } } } };
+    static char bunny[] = "/usr/share/glmark2/models/bunny.obj", horse[] = "/usr/share/glmark2/models/horse.3ds";
+    char *standard[] = { bunny, horse }, **meshes = argv;
+    const char *csv_name = NULL;
+    const command_option options[] = {
+        { "--csv", "FILE", "where to write [standard output]", &csv_name, NULL, 0, 0 },
+        { "--points", "N", "vertices of each mesh that are looked at [512]", NULL, &t.points, 1, 100000 },
+        { "--grid", "N", "rays a texel of the truth: N x N [4]", NULL, &t.grid, 1, 16 },
+        { "--data", "DIRECTORY", "where forest.hdr and the others are [" PRT_EXAMPLE_DATA "]", &t.data, NULL, 0, 0 },
+        { "--threads", "N", "[all processors]", NULL, &t.threads, 1, 1024 }
+    };
+    const command line = { "trade", "[mesh ...]",
+                           "Meshes are put on a floor [bunny.obj and horse.3ds of glmark2-data].\n", options, 5 };
     int count, k, failed = 0;
-    FILE *csv = stdout;
+    FILE *csv;
     why w;
     memset(&w, 0, sizeof w);
-    t.data = PRT_EXAMPLE_DATA;
-    t.points = 512;
-    t.grid = 4;
     t.threads = processor_count();
-    count = parse(argc, argv, &t, &w);
-    if (count < 0) return *w.line ? fail(w.line) : -1 - count;
+    count = command_read(&line, argc, argv);
     if (count == 0) { meshes = standard; count = 2; }
     if (load_lights(&t, &w)) return fail(w.line);
-    if (t.csv_name && !(csv = fopen(t.csv_name, "w"))) {
-        why_set(&w, "cannot write %s: %s", t.csv_name, strerror(errno));
-        return fail(w.line);
-    }
+    csv = csv_name ? command_open(&line, csv_name) : stdout;
     stop_on(SIGINT);
     fprintf(csv, "# prt.h %s\n# machine: %s\n# compiler: %s\n# flags: %s\n# points: %d\n# rays of the truth: %d x %d\n",
             BENCH_VERSION, bench_cpu_name(), BENCH_COMPILER, BENCH_FLAGS, t.points, WIDTH * t.grid, HEIGHT * t.grid);
     fprintf(csv, "mesh,light,bands,rays,storage,rmse,off_float\n");
     for (k = 0; k < count && !failed; k++) failed = measure(&t, meshes[k], csv, &w);
     if (failed) fail(w.line);
-    failed |= ferror(csv) != 0;
-    if (fclose(csv)) failed = fail("could not write all of the output; is the disk full?");
+    failed |= command_close(&line, csv);
     for (k = 0; k < SUN; k++) image_free(&t.lights[k].map);
     return interrupted ? STOPPED : failed != 0;
 }
