@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "bake_job.h"
+#include "bounce_job.h"
 #include "parallel.h"
 #include "progress.h"
 #include "vector.h"
@@ -245,60 +246,7 @@ static int bake_vo(techniques *t, why *w) {
     return index_occluders(t, w);
 }
 
-/* The second pass of transfer: what the parts that a vertex sees send on, of their own transfer without bounce. */
-typedef struct bounce { const techniques *t; int bands; const prt_real *direct; prt_real *out; } bounce;
-
-enum { BATCH = 512, MOST_COEFFICIENTS = 64 };
-
-static void gather(const bounce *b, const prt_hit *h, prt_real sums[SCENE_PARTS][MOST_COEFFICIENTS]) {
-    const scene *s = b->t->scene;
-    size_t n = (size_t)PRT_SH_COUNT(b->bands), i;
-    const uint32_t *corner = s->mesh.triangles + 3 * (size_t)scene_triangle(s, h);
-    const prt_real *p = b->direct + n * corner[0], *q = b->direct + n * corner[1], *r = b->direct + n * corner[2];
-    prt_real u = h->u, v = h->v, w = 1 - u - v;
-    for (i = 0; i < n; i++) sums[h->object][i] += w * p[i] + u * q[i] + v * r[i];
-}
-
-static int bounce_vertex(const bounce *b, int k) {
-    const techniques *t = b->t;
-    const prt_point *at = &t->scene->mesh.points[k];
-    prt_real sums[SCENE_PARTS][MOST_COEFFICIENTS];
-    prt_vec3 dirs[BATCH];
-    prt_ray rays[BATCH];
-    prt_hit hits[BATCH];
-    int n = PRT_SH_COUNT(b->bands), first, count, i, j;
-    memset(sums, 0, sizeof sums);
-    for (first = 0; first < t->rays; first += count) {
-        count = t->rays - first < BATCH ? t->rays - first : BATCH;
-        if (prt_sample_directions(t->rays, 1, (uint64_t)k, at->normal, first, count, dirs) != PRT_OK) return -1;
-        for (i = 0; i < count; i++) {
-            rays[i].origin = vec_add(at->position, t->bias, at->normal);
-            rays[i].dir = dirs[i];
-            rays[i].tmin = 0;
-            rays[i].tmax = (prt_real)1e6;
-        }
-        if (t->tracer->tracer.closest(t->tracer->tracer.user, count, rays, hits)) return -1;
-        for (i = 0; i < count; i++) if (hits[i].object >= 0) gather(b, &hits[i], sums);
-    }
-    for (i = 0; i < n; i++) {
-        prt_real *out = b->out + 3 * (size_t)n * (size_t)k + i, own = b->direct[(size_t)n * (size_t)k + (size_t)i];
-        out[0] = out[n] = out[2 * n] = own;
-        for (j = 0; j < t->scene->part_count; j++) {
-            prt_rgb albedo = t->scene->parts[j].material.diffuse;
-            out[0] += albedo.r * sums[j][i] / (prt_real)t->rays;
-            out[n] += albedo.g * sums[j][i] / (prt_real)t->rays;
-            out[2 * n] += albedo.b * sums[j][i] / (prt_real)t->rays;
-        }
-    }
-    return 0;
-}
-
-static int bounce_range(void *user, void *own, int first, int count) {
-    int k;
-    (void)own;
-    for (k = first; k < first + count; k++) if (bounce_vertex((const bounce *)user, k)) return -1;
-    return 0;
-}
+enum { MOST_COEFFICIENTS = 64 };
 
 static int bake_direct(const techniques *t, int bands, prt_real *transfer, double *seconds, why *w) {
     double before = processor_seconds();
@@ -335,18 +283,42 @@ static double make_moments(const techniques *t, int k) {
     return processor_seconds() - before;
 }
 
+/* The second pass of transfer: what the parts that a vertex sees send on, of their own transfer without bounce; to
+   transfer, three planes, with the direct one in it. */
+static int bake_bounce(const techniques *t, int bands, const prt_real *direct, prt_real *transfer, double *seconds,
+                       why *w) {
+    double before = processor_seconds();
+    prt_bounce_object objects[SCENE_PARTS];
+    bounce_job job;
+    memset(&job, 0, sizeof job);
+    bounce_objects_of(t->scene, objects);
+    job.desc.bands = bands;
+    job.desc.samples = t->rays;
+    job.desc.bias = t->bias;
+    job.desc.planes = 3;
+    job.desc.object_count = t->scene->part_count;
+    job.desc.objects = objects;
+    job.desc.tracer = &t->tracer->tracer;
+    job.point_count = t->scene->mesh.point_count;
+    job.points = t->scene->mesh.points;
+    job.previous = direct;
+    job.out = transfer;
+    job.threads = t->threads;
+    job.what = "bake: transfer of one bounce";
+    job.stop = t->stop;
+    if (bounce_job_run(&job, w)) return -1;
+    prt_bounce_add(bands, job.point_count, 1, direct, 3, transfer, NULL);
+    *seconds = processor_seconds() - before;
+    return 0;
+}
+
 static int bake_sh(techniques *t, int k, why *w) {
     size_t n = (size_t)PRT_SH_COUNT(techniques_bands[k]);
     prt_real *direct = (prt_real *)malloc((size_t)t->scene->mesh.point_count * n * sizeof *direct);
-    bounce b;
     int failed;
     if (!direct) return why_set(w, "out of memory for transfer");
-    b.t = t;
-    b.bands = techniques_bands[k];
-    b.direct = direct;
-    b.out = t->transfer[k];
-    failed = bake_direct(t, b.bands, direct, &t->sh_seconds[k][0], w) ||
-             run_job(t, "bake: transfer of one bounce", bounce_range, &b, &t->sh_seconds[k][1], w);
+    failed = bake_direct(t, techniques_bands[k], direct, &t->sh_seconds[k][0], w) ||
+             bake_bounce(t, techniques_bands[k], direct, t->transfer[k], &t->sh_seconds[k][1], w);
     free(direct);
     if (failed) return -1;
     t->ch_seconds[k] = make_moments(t, k);
