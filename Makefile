@@ -18,7 +18,7 @@ help:
 	@echo "make fuzz       run each fuzz target for FUZZ_SECONDS=$(FUZZ_SECONDS)"
 	@echo "make claims     measure what docs/claims.md promises, and compare"
 	@echo "make docs-bench rewrite README's table and the pages of docs/ that bench/ writes, from measurements"
-	@echo "make docs       the same for every page that a program writes: the better part of an hour"
+	@echo "make docs       the same for every page that a program writes: half an hour and more"
 	@echo "make portability  run both headers on other kinds of machine, emulated; writes docs/portability.md"
 	@echo "make install    copy headers and CMake package to PREFIX=$(PREFIX)"
 	@echo "make clean      remove build/ and out/"
@@ -80,7 +80,7 @@ docs-shaders:
 	@cmake --build $(BUILD) -j$(JOBS) --target shader_tables
 
 docs:
-	@for page in docs-bench vo fiv advise portability docs-shaders; do $(MAKE) $$page || exit 1; done
+	@for page in docs-bench bounces vo fiv advise portability docs-shaders; do $(MAKE) $$page || exit 1; done
 
 gen gen-check icount-update:
 	@$(without_tests)

@@ -11,6 +11,7 @@
 
 /* Room for the output of so many items with n^2 reals each: 1024 up to 16 bands, fewer beyond. */
 #define ITEMS (n <= 16 ? 1024 : n <= 32 ? 256 : 64)
+#define FEW (n <= 10 ? 64 : 4)
 #define ALL "1-10,16,32,64"
 #define LOW "1-10"
 
@@ -60,11 +61,11 @@ EACH (irradiance,   "irradiance", "prt_sh_irradiance",  LOW, 64,
 /* >>convert */
 EACH (convert,      "convert",  "prt_sh_convert",       LOW, 64,
       prt_sh_convert(n, PRT_CONVENTION_SPLAT, PRT_CONVENTION_PRT, F, OUT), 0, n * n, n * n)
-EACH (axes_xy,      "axes",     "prt_sh_convert_axes, z stays", ALL, 64,
+EACH (axes_xy,      "axes",     "prt_sh_convert_axes, z stays", ALL, FEW,
       prt_sh_convert_axes(n, PRT_AXES_UNREAL, PRT_AXES_BLENDER, F, OUT), 0, n * n, n * n)
-EACH (axes_yz,      "axes",     "prt_sh_convert_axes, y up", ALL, 64,
+EACH (axes_yz,      "axes",     "prt_sh_convert_axes, y up", ALL, FEW,
       prt_sh_convert_axes(n, PRT_AXES_OPENGL, PRT_AXES_BLENDER, F, OUT), 0, n * n, n * n)
-EACH (map_axes,     "axes",     "prt_sh_map_axes, y up", ALL, 64, prt_sh_map_axes(n, y_up, F, OUT), 0, n * n, n * n)
+EACH (map_axes,     "axes",     "prt_sh_map_axes, y up", ALL, FEW, prt_sh_map_axes(n, y_up, F, OUT), 0, n * n, n * n)
 EACH (axes_map,     "axes_map", "prt_axes_map",         "0", 64,
       prt_axes_map(PRT_AXES_OPENGL, PRT_AXES_BLENDER, (int *)data->out), 0, 0, 0)
 EACH (map_vector,   "axes_map", "prt_map_axes, a vector", "0", 1024,
@@ -111,12 +112,12 @@ EACH (zonal_to,     "zonal_to", "prt_sh_zonal_to",      LOW, 1024,
 #define OTHER (ROWS + items)
 EACH (triple,       "triple",   "prt_sh_triple",        "2-10,16,32,64", 16,
       *(double *)data->out = prt_sh_triple(n - 1, k % n, n / 2, 0, n - 1, k % n), 0, 0, 1)
-EACH (product,      "product",  "prt_sh_product",       ALL, 64,
+EACH (product,      "product",  "prt_sh_product",       ALL, FEW,
       prt_sh_product(n, F, G, OUT), TERM_FLOPS, 2 * n * n, n * n)
-EACH (product_grid, "product",  "loop for any bands",   ALL, 64,
+EACH (product_grid, "product",  "loop for any bands",   ALL, FEW,
       prt__grid_product(n, F, G, OUT), TERM_FLOPS, 2 * n * n, n * n)
-EACH (square,       "product",  "prt_sh_square",        ALL, 64,    prt_sh_square(n, F, OUT), TERM_FLOPS, n * n, n * n)
-EACH (zonal,        "product",  "prt_sh_product_zonal", ALL, 64,
+EACH (square,       "product",  "prt_sh_square",        ALL, FEW,    prt_sh_square(n, F, OUT), TERM_FLOPS, n * n, n * n)
+EACH (zonal,        "product",  "prt_sh_product_zonal", ALL, FEW,
       prt_sh_product_zonal(n, F, G, OUT), 0, n * n + n, n * n)
 BATCH(product_soa,  "product_soa", "prt_sh_product_soa", LOW, 256,
       prt_sh_product_soa(n, items, ROWS, OTHER, OUT, (size_t)items), TERM_FLOPS, 2 * n * n, n * n)

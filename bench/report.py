@@ -130,11 +130,17 @@ class Table:
         lines = path.read_text().splitlines()
         self.stamp = [line[2:] for line in lines if line.startswith("# ")]
         self.rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
+        self.indexes = {}
         if not self.rows:
             complain(f"{path} has no rows; measure again with make docs")
 
     def where(self, **wanted):
-        return [r for r in self.rows if all(r[k] == str(v) for k, v in wanted.items())]
+        keys = tuple(sorted(wanted))
+        if keys not in self.indexes:
+            index = self.indexes[keys] = {}
+            for row in self.rows:
+                index.setdefault(tuple(row[k] for k in keys), []).append(row)
+        return self.indexes[keys].get(tuple(str(wanted[k]) for k in keys), [])
 
     def values(self, column, **wanted):
         """The different values of a column, in order of appearance."""
