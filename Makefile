@@ -20,6 +20,7 @@ help:
 	@echo "make docs-bench rewrite README's table and the pages of docs/ that bench/ writes, from measurements"
 	@echo "make docs       the same for every page that a program writes: half an hour and more"
 	@echo "make portability  run both headers on other kinds of machine, emulated; writes docs/portability.md"
+	@echo "make stability  errors at the extremes, float against double; writes docs/stability.md"
 	@echo "make install    copy headers and CMake package to PREFIX=$(PREFIX)"
 	@echo "make clean      remove build/ and out/"
 
@@ -90,6 +91,9 @@ fuzz:
 	@./deps.sh fuzz
 	@tests/fuzz/run.sh $(BUILD)/fuzz $(FUZZ_SECONDS)
 
+stability:
+	@tests/stability/run.sh docs
+
 portability:
 	@tests/portability/run.sh docs/portability.md
 
@@ -101,4 +105,4 @@ install:
 clean:
 	rm -rf $(BUILD) out
 
-.PHONY: help test demo vo bounces fiv advise bench docs docs-bench docs-shaders gen gen-check icount-update fuzz portability install clean
+.PHONY: help test demo vo bounces fiv advise bench docs docs-bench docs-shaders gen gen-check icount-update fuzz stability portability install clean
