@@ -60,6 +60,7 @@ int sets_of(const rig *r) { return r->group_count == 1 ? 1 : SETS; }
 /* ---- stages ---- */
 
 int few_rays(const study *d) { return d->o.rays < 2048 ? d->o.rays : 2048; }
+int saving_rays(const study *d) { return d->o.rays < 512 ? d->o.rays : 512; }
 
 static int size_of_samples(const study *d) { return d->o.size * SAMPLES_A_PIXEL; }
 

@@ -131,6 +131,7 @@ int  lights_of(const rig *r, int set, prt_point_light *lights);
 int  sets_of(const rig *r);
 /* Rays a vertex for what is not timed. */
 int  few_rays(const study *d);
+int  saving_rays(const study *d);
 
 /* vo_compare_measure.c */
 

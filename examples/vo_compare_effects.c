@@ -168,7 +168,7 @@ int study_savings(study *d, why *w) {
         memset(&t, 0, sizeof t);
         t.scene = &s->shining;
         t.tracer = &s->tracer;
-        t.rays = few_rays(d);
+        t.rays = saving_rays(d);
         t.threads = d->o.threads;
         t.most_occluders = SCENE_PARTS;
         t.bias = (prt_real)1e-4;

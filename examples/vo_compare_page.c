@@ -521,10 +521,9 @@ static void write_pictured(const study *d, FILE *to) {
         if (k > 2 && ssim[k] > ssim[alike]) alike = k;
     }
     fprintf(to,
-            "\nThe default of %g° is a compromise: in the mean %.1f %% and %.3f; "
-            "the least RMSE, %.1f %%, is that of %g°, "
-            "the best SSIM, %.3f, that of %g°. Wider lights err less in single "
-            "factors and lose the edges of shadows.\n",
+            "\nIn these pictures the default of %g° errs by %.1f %% in the mean, SSIM %.3f; the least mean RMSE, %.1f %%, is "
+            "that of %g°, the best mean SSIM, %.3f, that of %g°. Wider lights err less in single factors, as the first "
+            "table shows, and lose the edges of shadows.\n",
             cap_angles[STANDARD], mean[2 + STANDARD], ssim[2 + STANDARD], mean[best], cap_angles[best - 2], ssim[alike],
             cap_angles[alike - 2]);
 }
@@ -656,7 +655,7 @@ static void write_savings(const study *d, FILE *to) {
             "vertices, relative to everything.\n\n| left out | bake, pass 2, s | "
             "ns a vertex | bytes a vertex, indexed "
             "| change |\n|---|---:|---:|---:|---:|\n",
-            (int)points, few_rays(d));
+            (int)points, saving_rays(d));
     for (k = 0; k < SAVINGS; k++) {
         const saving *s = &d->savings[k];
         fprintf(to, "| %s | %.1f | %.0f | %.0f | %.1f %% |\n", names[k], s->bake_seconds, 1e9 * s->seconds / points,
