@@ -817,7 +817,8 @@ PRTDEF prt_result prt_fiv_lookup(const prt_fiv_table *table, prt_vec3 from_recei
    Errors: PRT_ERR_COUNT (count < 0, a count of a table below 1); PRT_ERR_NULL (irradiance; occluders with count > 0; a
    table, its rho or samples). Nothing is written then.
    Cost: a lookup an occluder that is not below the horizon, and about 60 operations a pair of discs that overlap. One
-   receiver: 0.12 to 0.16 us an occluder (float, Zen 5), with or without SIMD. Stack: 5 to 19 KiB by vector width. */
+   receiver: 0.12 to 0.16 us an occluder (float, Zen 5), with or without SIMD: vectors hold a receiver a lane, so that one
+   receiver fills one lane. Stack: 11 to 49 KiB by vector width. */
 PRTDEF prt_result prt_fiv_shade(prt_rgb total, prt_vec3 position, prt_vec3 normal, int count,
                                 const prt_fiv_occluder *occluders, unsigned flags, prt_rgb *irradiance);
 
@@ -825,7 +826,8 @@ PRTDEF prt_result prt_fiv_shade(prt_rgb total, prt_vec3 position, prt_vec3 norma
    gets the same bits as from prt_fiv_shade, whatever the count and its place. irradiance may be totals. Errors: as
    prt_fiv_shade, and PRT_ERR_COUNT (receiver_count < 0), PRT_ERR_NULL (an array with receiver_count > 0).
    Cost a receiver and occluder, float, AVX-512, Zen 5, a table of 2.3 MB: 25 ns without overlaps, of which 10 go to
-   reading the samples; with them 34 ns among 10 occluders close to each other, 83 among 60 (bench, rows fiv). */
+   reading the samples; with them 26 ns among 10 occluders close to each other, 37 among 60: a pair apart costs .15 ns, one whose discs
+   overlap 4 (SSE2: .3 and 8). */
 PRTDEF prt_result prt_fiv_shade_n(int receiver_count, const prt_rgb *totals, const prt_vec3 *positions,
                                   const prt_vec3 *normals, int count, const prt_fiv_occluder *occluders, unsigned flags,
                                   prt_rgb *irradiance);
@@ -898,12 +900,29 @@ PRTDEF size_t prt_fiv_packed_size(const prt_fiv_table *table, int bits);
 PRTDEF prt_result prt_fiv_pack(const prt_fiv_table *table, int bits, void *data, prt_fiv *low, prt_fiv *step,
                                prt_fiv_packed *packed);
 
-/* prt_fiv_lookup from a packed table: use it with prt_fiv_shade_vectors. Errors: as prt_fiv_lookup (data; low and step
+/* prt_fiv_lookup from a packed table. Errors: as prt_fiv_lookup (data; low and step
    for 8 bits), PRT_ERR_COUNT for other bits. Cost: reads 144 or 72 bytes. */
 PRTDEF prt_result prt_fiv_packed_lookup(const prt_fiv_packed *packed, prt_vec3 from_receiver_to_centre, prt_fiv *out);
 
 /* Samples first ... first+count-1 of a packed table. Errors: PRT_ERR_COUNT, PRT_ERR_NULL. */
 PRTDEF prt_result prt_fiv_unpack(const prt_fiv_packed *packed, int first, int count, prt_fiv *samples);
+
+typedef struct prt_fiv_body {          /* an occluder with a table of any kind: the first that is not NULL of */
+    const prt_fiv_table *table;
+    const prt_fiv_packed *packed;
+    const prt_fiv_transfer *transfer;
+    const prt_real *rotation, *vectors;   /* for transfer, as for prt_fiv_transfer_lookup; rotation may be NULL */
+    prt_vec3 position;
+} prt_fiv_body;
+
+/* prt_fiv_shade_n for bodies with tables of any kind, mixed at will; each receiver gets the same bits whatever the count
+   and its place, and from bodies with plain tables those of prt_fiv_shade_n. Errors: as there, and as the lookups.
+   Cost a receiver and occluder, float, AVX-512 (SSE2), Zen 5, against one by one with the lookups: plain 28 (46) ns, 16
+   bits 51 (120), 8 bits 49 (65), transfer of 4 bands 105 (116), each less than half; it touches 288, 144, 72 and 800
+   bytes. Under a light that stays, a transfer table costs less as the plain one that prt_fiv_transfer_samples makes. */
+PRTDEF prt_result prt_fiv_shade_bodies_n(int receiver_count, const prt_rgb *totals, const prt_vec3 *positions,
+                                         const prt_vec3 *normals, int count, const prt_fiv_body *bodies, unsigned flags,
+                                         prt_rgb *irradiance);
 
 /* The irradiance of the whole environment on `normal` from the cube texture that prt_bake_fiv_total writes,
    total[6][size][size], bilinear between texel centres, and beyond the outermost ones extended in a straight line, so
@@ -6499,255 +6518,6 @@ PRTDEF prt_result prt_fiv_lookup(const prt_fiv_table *table, prt_vec3 from_recei
     return PRT_OK;
 }
 
-/* Receivers, one a lane, and what stands around them: vectors that were looked up already (one receiver), or
-   occluders. */
-typedef struct prt__fiv_scene {
-    const prt_fiv_hidden *hidden;
-    const prt_fiv_occluder *occluders;
-    int count, lanes;
-    unsigned flags;
-    prt__vec px, py, pz, nx, ny, nz, total[3];
-} prt__fiv_scene;
-
-/* An occluder from the receivers: direction, its unit bounding disc, what it takes of each channel and which part of the
-   disc that fills. */
-typedef struct prt__fiv_seen { prt__vec x, y, z, disc, disc2, taken[3], filled[3]; } prt__fiv_seen;
-
-/* The vectors of occluder k in the lanes that `lit` names, nine numbers each. A single lane is spread over all: going
-   through memory would wait for it. */
-PRT__STATIC void prt__fiv_vectors(const prt__fiv_scene *s, int k, const prt__fiv_polar *p, const prt_real *lit,
-                                  prt__vec vectors[9]) {
-    prt_real rows[9][PRT__LANES], v[9] = { 0 };
-    prt__fiv_cells cells;
-    prt__fiv_grid grid;
-    int lane, i;
-    if (s->lanes > 1) memset(rows, 0, sizeof rows);
-    if (!s->hidden) {
-        grid = prt__fiv_grid_of(s->occluders[k].table);
-        prt__fiv_cells_of(&grid, p, s->lanes, &cells);
-    }
-    for (lane = 0; lane < s->lanes; lane++) {
-        if (!(lit[lane] > 0)) continue;
-        if (s->hidden) memcpy(v, &s->hidden[k].fiv, sizeof v);
-        else prt__fiv_blend(&grid, s->occluders[k].table->samples, &cells, lane, v);
-        for (i = 0; i < 9 && s->lanes > 1; i++) rows[i][lane] = v[i];
-    }
-    for (i = 0; i < 9; i++) vectors[i] = s->lanes > 1 ? prt__vec_load(rows[i]) : prt__vec_set(v[i]);
-}
-
-/* g(u) - u: what the horizon leaves of a cap of uniform radiance, over what it would give facing the receiver uncut,
-   beyond what N.FIV says. */
-PRT__STATIC prt__vec prt__fiv_cut(prt__vec u) {
-    prt__vec root = prt__vec_root((1 - u) * (1 + u));
-    return (u * prt__vec_angle(root, -u) + root * (2 + u * u) * PRT__R(1.0 / 3)) * PRT__R(1 / PRT__PI) - u;
-}
-
-/* Whether a choice was made in any lane. */
-PRT__INLINE int prt__any(prt__chosen chosen) {
-    uint64_t part[sizeof chosen < sizeof(uint64_t) ? 1 : sizeof chosen / sizeof(uint64_t)] = { 0 }, any = 0;
-    size_t k;
-    memcpy(part, &chosen, sizeof chosen);
-    for (k = 0; k < sizeof part / sizeof *part; k++) any |= part[k];
-    return any != 0;
-}
-
-/* What an occluder takes and fills. cut: beyond N.FIV, or the paper's factor of it. */
-PRT__STATIC void prt__fiv_take(const prt__fiv_scene *s, const prt__vec vectors[9], prt__vec lit, prt__vec up,
-                               prt__vec sine, prt__vec cut, int partial, prt__fiv_seen *seen) {
-    const prt__vec zero = prt__vec_set(0), one = prt__vec_set(1);
-    int paper = (s->flags & PRT_FIV_PAPER_PARTIAL) != 0, whole = (s->flags & PRT_FIV_PAPER_OVERLAP) != 0, c;
-    prt__vec full = sine * sine * prt__vec_most(paper ? up * cut : up + cut, prt__vec_set(PRT__R(1.0 / 1024)));
-    for (c = 0; c < 3; c++) {
-        prt__vec x = vectors[3 * c], y = vectors[3 * c + 1], z = vectors[3 * c + 2];
-        prt__vec along = x * s->nx + y * s->ny + z * s->nz;
-        if (paper) along = along * cut;
-        else if (partial) along = along + PRT__SELECT(cut > zero, prt__vec_root(x * x + y * y + z * z) * cut, zero);
-        seen->taken[c] = PRT__SELECT(lit > zero, prt__vec_clamp(along, zero, s->total[c]), zero);
-        along = s->total[c] * full;
-        seen->filled[c] = whole ? one : PRT__SELECT(seen->taken[c] < along, seen->taken[c] / along, one);
-    }
-}
-
-/* 0: nothing of occluder k is above any receiver's horizon. */
-PRT__STATIC int prt__fiv_see(const prt__fiv_scene *s, int k, prt__fiv_seen *seen) {
-    const prt__vec zero = prt__vec_set(0), one = prt__vec_set(1);
-    prt_vec3 to = s->hidden ? s->hidden[k].to_centre : s->occluders[k].position;
-    prt_real size = s->hidden ? s->hidden[k].radius : s->occluders[k].table->radius, lit[PRT__LANES];
-    prt__vec radius = prt__vec_set(size);
-    prt__fiv_polar p = prt__fiv_polar_of(to.x - s->px, to.y - s->py, to.z - s->pz);
-    prt__vec up = prt__fiv_dot(&p, s->nx, s->ny, s->nz), sine, u, cut = zero, shine, vectors[9];
-    int partial;
-    if (!(size > 0)) return 0;
-    sine = PRT__SELECT(radius < p.distance, radius / PRT__SELECT(p.distance > 0, p.distance, one), one);
-    u = prt__vec_clamp(up / sine, -one, one);
-    shine = PRT__SELECT(u > -one, one, zero);
-    if (!prt__any((prt__chosen)(u > -one))) return 0;
-    prt__vec_store(lit, shine);
-    prt__fiv_vectors(s, k, &p, lit, vectors);
-    partial = prt__any((prt__chosen)(u < one));
-    if (s->flags & PRT_FIV_PAPER_PARTIAL)
-        cut = prt__vec_clamp(up * p.distance / radius, -one, one) * PRT__R(0.5) + PRT__R(0.5);
-    else if (partial) cut = PRT__SELECT(u < one, prt__fiv_cut(u) * sine, zero);
-    prt__fiv_take(s, vectors, shine, up, sine, cut, partial, seen);
-    seen->x = p.x; seen->y = p.y; seen->z = p.z;
-    seen->disc2 = 2 * sine * sine / (1 + prt__vec_root((1 - sine) * (1 + sine)));
-    seen->disc = prt__vec_root(seen->disc2);
-    return 1;
-}
-
-PRT__INLINE prt__vec prt__fiv_apart(const prt__fiv_seen *a, const prt__fiv_seen *b) {          /* chord, squared */
-    prt__vec x = a->x - b->x, y = a->y - b->y, z = a->z - b->z;
-    return x * x + y * y + z * z;
-}
-
-/* Discs are the same where centres and radii differ by 3e-5 of a radius, squared: rounding stays far below. */
-#define PRT__FIV_SAME PRT__R(9.313225746154785e-10)            /* 2^-30 */
-
-/* Adds what two occluders take together: of the lens that lies in both discs, what both fill of it by chance, at the
-   mean of what a filled part gives; where the discs are the same, they are taken for one body. By Heron: h is four times the triangle of the centres and a crossing, whose angles
-   at the centres have half-angles of tangent h/((reach+d)(d +- apart)); where one disc contains the other h turns to 0,
-   and the angles to 0 and pi. */
-PRT__STATIC void prt__fiv_pair(const prt__fiv_seen *a, const prt__fiv_seen *b, prt__vec *twice) {
-    prt__vec d2 = prt__fiv_apart(a, b), d = prt__vec_root(d2), reach = a->disc + b->disc, apart = a->disc - b->disc;
-    prt__vec more = reach + d, zero = prt__vec_set(0), h, lens;
-    prt__chosen same;
-    int twins, c;
-    h = prt__vec_root(prt__vec_most((reach - d) * more * (d + apart) * (d - apart), zero));
-    lens = a->disc2 * prt__vec_slope(h, more * prt__vec_most(d + apart, zero))
-           + b->disc2 * prt__vec_slope(h, more * prt__vec_most(d - apart, zero));
-    lens = PRT__SELECT(reach > d, (2 * lens - h * PRT__R(0.5)) * PRT__R(1 / PRT__PI), zero);
-    same = d2 + apart * apart <= a->disc2 * PRT__FIV_SAME;
-    twins = prt__any(same);
-    for (c = 0; c < 3; c++) {
-        prt__vec f = a->filled[c], g = b->filled[c], areas, both;
-        if (twins) { f = PRT__SELECT(same, prt__vec_set(1), f); g = PRT__SELECT(same, f, g); }
-        areas = f * a->disc2 + g * b->disc2 + PRT__REAL_MIN;
-        both = lens * (f * g) * (a->taken[c] + b->taken[c]) / areas;
-        twice[c] += prt__vec_least(both, prt__vec_least(a->taken[c], b->taken[c]));
-    }
-}
-
-/* Occluders that are kept, where they are above a horizon, to meet all that follow; more are taken block by block, and
-   looked up once more for each. The blocks do not depend on what is above, so that sums have one order. */
-enum { PRT__FIV_BLOCK = 64 };
-
-/* Adds what b and any of the others take together: most pairs are too far apart. */
-PRT__STATIC void prt__fiv_pairs(const prt__fiv_seen *others, int count, const prt__fiv_seen *b, prt__vec *twice) {
-    int meet[PRT__FIV_BLOCK], met = 0, k;
-    for (k = 0; k < count; k++) {                              /* without a branch to guess */
-        prt__vec reach = others[k].disc + b->disc;
-        meet[met] = k;
-        met += prt__any((prt__chosen)(reach * reach > prt__fiv_apart(&others[k], b)));
-    }
-    for (k = 0; k < met; k++) prt__fiv_pair(&others[meet[k]], b, twice);
-}
-
-/* left[c] = total - what all occluders take. */
-PRT__STATIC void prt__fiv_shade(const prt__fiv_scene *s, prt__vec left[3]) {
-    prt__fiv_seen block[PRT__FIV_BLOCK + 1];
-    prt__vec zero = prt__vec_set(0), sum[3], most[3], twice[3];
-    int pairs = !(s->flags & PRT_FIV_NO_OVERLAP), first, kept, k, c;
-    for (c = 0; c < 3; c++) sum[c] = most[c] = twice[c] = zero;
-    for (first = 0; first < s->count; first += PRT__FIV_BLOCK) {
-        for (k = first, kept = 0; k < s->count && (pairs || k - first < PRT__FIV_BLOCK); k++) {
-            prt__fiv_seen *one = &block[kept];
-            if (!prt__fiv_see(s, k, one)) continue;
-            if (pairs) prt__fiv_pairs(block, kept, one, twice);
-            if (k - first >= PRT__FIV_BLOCK) continue;
-            kept += 1;
-            for (c = 0; c < 3; c++) {
-                sum[c] += one->taken[c];
-                most[c] = prt__vec_most(most[c], one->taken[c]);
-            }
-        }
-    }
-    for (c = 0; c < 3; c++)
-        left[c] = prt__vec_clamp(s->total[c] - prt__vec_clamp(sum[c] - twice[c], most[c], sum[c]), zero, s->total[c]);
-}
-
-PRT__STATIC prt_result prt__fiv_occluders_check(int count, const prt_fiv_occluder *occluders) {
-    int k;
-    if (count < 0) return PRT_ERR_COUNT;
-    for (k = 0; k < count && occluders; k++)
-        if (occluders[k].table && !prt__fiv_table_ok(occluders[k].table)) return PRT_ERR_COUNT;
-    if (count > 0 && !occluders) return PRT_ERR_NULL;
-    for (k = 0; k < count; k++)
-        if (!occluders[k].table || !occluders[k].table->rho || !occluders[k].table->samples) return PRT_ERR_NULL;
-    return PRT_OK;
-}
-
-/* The receivers of the lanes; lanes without one see the last of them. */
-PRT__STATIC void prt__fiv_receivers(prt__fiv_scene *s, int lanes, const prt_rgb *totals, const prt_vec3 *positions,
-                                    const prt_vec3 *normals) {
-    prt_real v[9][PRT__LANES];
-    prt__vec zero = prt__vec_set(0), all[9];
-    int k, i;
-    for (k = 0; k < (lanes > 1 ? PRT__LANES : 1); k++) {
-        int at = k < lanes ? k : lanes - 1;
-        v[0][k] = positions[at].x; v[1][k] = positions[at].y; v[2][k] = positions[at].z;
-        v[3][k] = normals[at].x; v[4][k] = normals[at].y; v[5][k] = normals[at].z;
-        v[6][k] = totals[at].r; v[7][k] = totals[at].g; v[8][k] = totals[at].b;
-    }
-    for (i = 0; i < 9; i++) all[i] = lanes > 1 ? prt__vec_load(v[i]) : prt__vec_set(v[i][0]);
-    s->lanes = lanes;
-    s->px = all[0]; s->py = all[1]; s->pz = all[2];
-    s->nx = all[3]; s->ny = all[4]; s->nz = all[5];
-    for (k = 0; k < 3; k++) s->total[k] = prt__vec_most(all[6 + k], zero);
-}
-
-PRT__STATIC void prt__fiv_write(const prt__vec left[3], int lanes, prt_rgb *irradiance) {
-    prt_real v[3][PRT__LANES];
-    int k;
-    for (k = 0; k < 3; k++) prt__vec_store(v[k], left[k]);
-    for (k = 0; k < lanes; k++) { irradiance[k].r = v[0][k]; irradiance[k].g = v[1][k]; irradiance[k].b = v[2][k]; }
-}
-
-PRTDEF prt_result prt_fiv_shade_n(int receiver_count, const prt_rgb *totals, const prt_vec3 *positions,
-                                  const prt_vec3 *normals, int count, const prt_fiv_occluder *occluders, unsigned flags,
-                                  prt_rgb *irradiance) {
-    prt_result r;
-    prt__fiv_scene scene;
-    prt__vec left[3];
-    int k;
-    if (receiver_count < 0) return PRT_ERR_COUNT;
-    r = prt__fiv_occluders_check(count, occluders);
-    if (r != PRT_OK) return r;
-    if (receiver_count > 0 && (!totals || !positions || !normals || !irradiance)) return PRT_ERR_NULL;
-    scene.hidden = 0;
-    scene.occluders = occluders;
-    scene.count = count;
-    scene.flags = flags;
-    for (k = 0; k < receiver_count; k += PRT__LANES) {
-        int lanes = receiver_count - k < PRT__LANES ? receiver_count - k : PRT__LANES;
-        prt__fiv_receivers(&scene, lanes, totals + k, positions + k, normals + k);
-        prt__fiv_shade(&scene, left);
-        prt__fiv_write(left, lanes, irradiance + k);
-    }
-    return PRT_OK;
-}
-
-PRTDEF prt_result prt_fiv_shade(prt_rgb total, prt_vec3 position, prt_vec3 normal, int count,
-                                const prt_fiv_occluder *occluders, unsigned flags, prt_rgb *irradiance) {
-    return prt_fiv_shade_n(1, &total, &position, &normal, count, occluders, flags, irradiance);
-}
-
-PRTDEF prt_result prt_fiv_shade_vectors(prt_rgb total, prt_vec3 normal, int count, const prt_fiv_hidden *hidden,
-                                        unsigned flags, prt_rgb *irradiance) {
-    const prt_vec3 origin = { 0, 0, 0 };
-    prt__fiv_scene scene;
-    prt__vec left[3];
-    if (count < 0) return PRT_ERR_COUNT;
-    if ((count > 0 && !hidden) || !irradiance) return PRT_ERR_NULL;
-    scene.hidden = hidden;
-    scene.occluders = 0;
-    scene.count = count;
-    scene.flags = flags;
-    prt__fiv_receivers(&scene, 1, &total, &origin, &normal);
-    prt__fiv_shade(&scene, left);
-    prt__fiv_write(left, 1, irradiance);
-    return PRT_OK;
-}
-
 PRTDEF prt_result prt_fiv_self(const prt_fiv *environment, const prt_fiv_table *self, prt_vec3 local_position,
                                prt_vec3 normal, prt_rgb *irradiance) {
     prt_fiv hidden;
@@ -6773,6 +6543,14 @@ PRT__STATIC int prt__fiv_range_ok(int theta_count, int phi_count, int rho_count,
     total = (size_t)theta_count * (size_t)phi_count;
     if ((size_t)rho_count > SIZE_MAX / total) return 0;
     return (size_t)first <= total * (size_t)rho_count && (size_t)count <= total * (size_t)rho_count - (size_t)first;
+}
+
+PRT__INLINE prt__fiv_grid prt__fiv_grid_of_transfer(const prt_fiv_transfer *t) {
+    prt__fiv_grid g;
+    g.theta_count = t->theta_count; g.phi_count = t->phi_count; g.rho_count = t->rho_count;
+    g.rho = t->rho;
+    g.inside = t->inside;
+    return g;
 }
 
 PRT__STATIC prt_result prt__fiv_transfer_check(const prt_fiv_transfer *t) {
@@ -6856,35 +6634,43 @@ PRT__STATIC int prt__fiv_all_finite(int count, const prt_real *v) {
     return ok;
 }
 
+/* The vectors in a lane, of a transfer table under a light. */
+PRT__STATIC void prt__fiv_transfer_blend(const prt__fiv_grid *g, const prt_fiv_transfer *table, const prt_real *vectors,
+                                         const prt__fiv_cells *c, int lane, prt_real out[9]) {
+    prt_real hidden[PRT_SH_COUNT(PRT_MAX_BANDS)], weight[8];
+    unsigned char good[8];
+    size_t at[8];
+    prt_fiv v;
+    int n = PRT_SH_COUNT(table->bands + 1), k;
+    prt__fiv_corners(g, c, lane, 0, at, weight);
+    prt__fiv_mix(n, table->samples, at, weight, hidden);
+    v = prt__fiv_under(n, hidden, vectors);
+    if (!prt__fiv_sample_finite(&v)) {
+        for (k = 0; k < 8; k++) good[k] = (unsigned char)prt__fiv_all_finite(n, table->samples + at[k] * (size_t)n);
+        prt__fiv_corners(g, c, lane, good, at, weight);
+        prt__fiv_mix(n, table->samples, at, weight, hidden);
+        v = prt__fiv_under(n, hidden, vectors);
+    }
+    if (!prt__fiv_sample_finite(&v)) memset(&v, 0, sizeof v);
+    memcpy(out, &v, sizeof v);
+}
+
 PRTDEF prt_result prt_fiv_transfer_lookup(const prt_fiv_transfer *table, const prt_real rotation[9],
                                           const prt_real *vectors, prt_vec3 from_receiver_to_centre, prt_fiv *out) {
-    prt_real hidden[PRT_SH_COUNT(PRT_MAX_BANDS)], weight[8];
     prt_vec3 to = from_receiver_to_centre, turned = to;
     prt_result r = prt__fiv_transfer_check(table);
-    unsigned char good[8];
+    prt_real values[9];
     prt__fiv_grid g;
     prt__fiv_cells c;
-    size_t at[8];
-    int n, k;
     if (r != PRT_OK) return r;
     if (!table->rho || !table->samples || !vectors || !out) return PRT_ERR_NULL;
     if (rotation) turned = prt__vec3(rotation[0] * to.x + rotation[3] * to.y + rotation[6] * to.z,
                                      rotation[1] * to.x + rotation[4] * to.y + rotation[7] * to.z,
                                      rotation[2] * to.x + rotation[5] * to.y + rotation[8] * to.z);
-    n = PRT_SH_COUNT(table->bands + 1);
-    g.theta_count = table->theta_count; g.phi_count = table->phi_count; g.rho_count = table->rho_count;
-    g.rho = table->rho;
-    g.inside = table->inside;
+    g = prt__fiv_grid_of_transfer(table);
     prt__fiv_cell_of(&g, turned, &c);
-    prt__fiv_corners(&g, &c, 0, 0, at, weight);
-    prt__fiv_mix(n, table->samples, at, weight, hidden);
-    *out = prt__fiv_under(n, hidden, vectors);
-    if (prt__fiv_sample_finite(out)) return PRT_OK;
-    for (k = 0; k < 8; k++) good[k] = (unsigned char)prt__fiv_all_finite(n, table->samples + at[k] * (size_t)n);
-    prt__fiv_corners(&g, &c, 0, good, at, weight);
-    prt__fiv_mix(n, table->samples, at, weight, hidden);
-    *out = prt__fiv_under(n, hidden, vectors);
-    if (!prt__fiv_sample_finite(out)) memset(out, 0, sizeof *out);
+    prt__fiv_transfer_blend(&g, table, vectors, &c, 0, values);
+    memcpy(out, values, sizeof values);
     return PRT_OK;
 }
 
@@ -7001,24 +6787,78 @@ PRT__STATIC prt_result prt__fiv_packed_check(const prt_fiv_packed *p) {
     return !p->data || (p->bits == 8 && (!p->low || !p->step)) ? PRT_ERR_NULL : PRT_OK;
 }
 
+/* Eight samples of halves as numbers, by flat loops that compilers turn into vectors. Halves below 2^-14 stand in steps
+   of 2^-24: they are read as if above 2^-14, which is taken off again. */
+PRT__STATIC void prt__fiv_halves(const uint16_t *half, prt_real *out) {
+    int32_t bits[72], less[72];
+    float f[72], g[72];
+    int i;
+    for (i = 0; i < 72; i++) {
+        int32_t size = half[i] & 0x7fff, small = -(size < 0x400);
+        bits[i] = (size << 13) + 0x38000000 + (small & 0x800000);
+        less[i] = small & 0x38800000;
+    }
+    memcpy(f, bits, sizeof f);
+    memcpy(g, less, sizeof g);
+    for (i = 0; i < 72; i++) f[i] -= g[i];
+    memcpy(bits, f, sizeof bits);
+    for (i = 0; i < 72; i++) bits[i] |= half[i] & 0x8000 ? INT32_MIN : 0;
+    memcpy(f, bits, sizeof f);
+    for (i = 0; i < 72; i++) out[i] = (prt_real)f[i];
+}
+
+/* sum[i] = sum over `count` samples of weight times value. */
+PRT__INLINE void prt__fiv_weigh(int count, const prt_real *weight, const prt_real *values, prt_real sum[9]) {
+    int k, i;
+    for (i = 0; i < 9; i++) sum[i] = weight[0] * values[i];
+    for (k = 1; k < count; k++) for (i = 0; i < 9; i++) sum[i] += weight[k] * values[9 * k + i];
+}
+
+/* The vectors in a lane, of a packed table. Bytes are summed before their range is put to them, once for each of the
+   two distances. */
+PRT__STATIC void prt__fiv_packed_blend(const prt__fiv_grid *g, const prt_fiv_packed *p, const prt__fiv_cells *c,
+                                       int lane, prt_real out[9]) {
+    size_t at[8], ring = (size_t)g->theta_count * (size_t)g->phi_count;
+    prt_real weight[8], values[72], low[9], step[9], sum[9];
+    uint16_t half[72];
+    int k, i;
+    if (!g->inside || !prt__fiv_any_inside(g, c, lane))
+        for (k = 0; k < 8; k++) {
+            at[k] = c->at[lane] + (size_t)prt__fiv_corner(c, lane, k);
+            weight[k] = c->weight[k][lane];
+        }
+    else prt__fiv_corners(g, c, lane, 0, at, weight);
+    if (p->bits == 16) {
+        for (k = 0; k < 8; k++) memcpy(half + 9 * k, (const uint16_t *)p->data + at[k] * 9, 9 * sizeof *half);
+        prt__fiv_halves(half, values);
+        prt__fiv_weigh(8, weight, values, out);
+        return;
+    }
+    for (k = 0; k < 8; k++) {
+        const unsigned char *byte = (const unsigned char *)p->data + at[k] * 9;
+        for (i = 0; i < 9; i++) values[9 * k + i] = (prt_real)byte[i];
+    }
+    for (i = 0; i < 9; i++) out[i] = 0;
+    for (k = 0; k < 8; k += 4) {
+        prt_real share = weight[k] + weight[k + 1] + weight[k + 2] + weight[k + 3];
+        memcpy(low, &p->low[at[k] / ring], sizeof low);
+        memcpy(step, &p->step[at[k] / ring], sizeof step);
+        prt__fiv_weigh(4, weight + k, values + 9 * k, sum);
+        for (i = 0; i < 9; i++) out[i] += share * low[i] + step[i] * sum[i];
+    }
+}
+
 PRTDEF prt_result prt_fiv_packed_lookup(const prt_fiv_packed *packed, prt_vec3 from_receiver_to_centre, prt_fiv *out) {
-    prt_real weight[8], v[9], sum[9] = { 0 };
     prt_result r = prt__fiv_packed_check(packed);
+    prt_real values[9];
     prt__fiv_grid g;
     prt__fiv_cells c;
-    size_t at[8], ring;
-    int k, i;
     if (r != PRT_OK) return r;
     if (!packed->grid.rho || !out) return PRT_ERR_NULL;
     g = prt__fiv_grid_of(&packed->grid);
-    ring = (size_t)g.theta_count * (size_t)g.phi_count;
     prt__fiv_cell_of(&g, from_receiver_to_centre, &c);
-    prt__fiv_corners(&g, &c, 0, 0, at, weight);
-    for (k = 0; k < 8; k++) {
-        prt__fiv_decode(packed, at[k], at[k] / ring, v);
-        for (i = 0; i < 9; i++) sum[i] += weight[k] * v[i];
-    }
-    memcpy(out, sum, sizeof sum);
+    prt__fiv_packed_blend(&g, packed, &c, 0, values);
+    memcpy(out, values, sizeof values);
     return PRT_OK;
 }
 
@@ -7036,6 +6876,337 @@ PRTDEF prt_result prt_fiv_unpack(const prt_fiv_packed *packed, int first, int co
         prt__fiv_decode(packed, (size_t)k, (size_t)k / ring, v);
         memcpy(&samples[k], v, sizeof v);
     }
+    return PRT_OK;
+}
+
+/* Receivers, one a lane, and what stands around them, one of: vectors that were looked up already (one receiver),
+   occluders, bodies. */
+typedef struct prt__fiv_scene {
+    const prt_fiv_hidden *hidden;
+    const prt_fiv_occluder *occluders;
+    const prt_fiv_body *bodies;
+    int count, lanes;
+    unsigned flags;
+    prt__vec px, py, pz, nx, ny, nz, total[3];
+} prt__fiv_scene;
+
+/* An occluder from the receivers: direction, its unit bounding disc, what it takes of each channel and which part of the
+   disc that fills. */
+typedef struct prt__fiv_seen { prt__vec x, y, z, disc, disc2, taken[3], filled[3]; } prt__fiv_seen;
+
+PRT__INLINE prt_fiv_body prt__fiv_body_of(const prt__fiv_scene *s, int k) {
+    prt_fiv_body b;
+    if (s->bodies) return s->bodies[k];
+    memset(&b, 0, sizeof b);
+    b.table = s->occluders[k].table;
+    b.position = s->occluders[k].position;
+    return b;
+}
+
+PRT__INLINE prt_real prt__fiv_radius(const prt_fiv_body *b) {
+    return b->table ? b->table->radius : b->packed ? b->packed->grid.radius : b->transfer->radius;
+}
+
+PRT__INLINE prt__fiv_polar prt__fiv_turned_back(const prt_real rotation[9], const prt__fiv_polar *p) {
+    prt__fiv_polar q;
+    q.x = rotation[0] * p->x + rotation[3] * p->y + rotation[6] * p->z;
+    q.y = rotation[1] * p->x + rotation[4] * p->y + rotation[7] * p->z;
+    q.z = rotation[2] * p->x + rotation[5] * p->y + rotation[8] * p->z;
+    q.distance = p->distance;
+    return q;
+}
+
+/* Where the receivers see a body, in its table. */
+PRT__STATIC void prt__fiv_body_cells(const prt_fiv_body *b, const prt__fiv_polar *p, int lanes, prt__fiv_grid *grid,
+                                     prt__fiv_cells *cells) {
+    prt__fiv_polar turned;
+    *grid = b->table ? prt__fiv_grid_of(b->table)
+                     : b->packed ? prt__fiv_grid_of(&b->packed->grid) : prt__fiv_grid_of_transfer(b->transfer);
+    if (!b->table && !b->packed && b->rotation) {
+        turned = prt__fiv_turned_back(b->rotation, p);
+        p = &turned;
+    }
+    prt__fiv_cells_of(grid, p, lanes, cells);
+}
+
+/* The vectors of occluder k in the lanes that `lit` names, nine numbers each. A single lane is spread over all: going
+   through memory would wait for it. */
+PRT__STATIC void prt__fiv_vectors(const prt__fiv_scene *s, int k, const prt__fiv_polar *p, const prt_real *lit,
+                                  prt__vec vectors[9]) {
+    prt_real rows[9][PRT__LANES], v[9] = { 0 };
+    prt__fiv_cells cells;
+    prt__fiv_grid grid;
+    prt_fiv_body body;
+    int lane, i;
+    if (s->lanes > 1) memset(rows, 0, sizeof rows);
+    if (!s->hidden) {
+        body = prt__fiv_body_of(s, k);
+        prt__fiv_body_cells(&body, p, s->lanes, &grid, &cells);
+    }
+    for (lane = 0; lane < s->lanes; lane++) {
+        if (!(lit[lane] > 0)) continue;
+        if (s->hidden) memcpy(v, &s->hidden[k].fiv, sizeof v);
+        else if (body.table) prt__fiv_blend(&grid, body.table->samples, &cells, lane, v);
+        else if (body.packed) prt__fiv_packed_blend(&grid, body.packed, &cells, lane, v);
+        else prt__fiv_transfer_blend(&grid, body.transfer, body.vectors, &cells, lane, v);
+        for (i = 0; i < 9 && s->lanes > 1; i++) rows[i][lane] = v[i];
+    }
+    for (i = 0; i < 9; i++) vectors[i] = s->lanes > 1 ? prt__vec_load(rows[i]) : prt__vec_set(v[i]);
+}
+
+/* g(u) - u: what the horizon leaves of a cap of uniform radiance, over what it would give facing the receiver uncut,
+   beyond what N.FIV says. */
+PRT__STATIC prt__vec prt__fiv_cut(prt__vec u) {
+    prt__vec root = prt__vec_root((1 - u) * (1 + u));
+    return (u * prt__vec_angle(root, -u) + root * (2 + u * u) * PRT__R(1.0 / 3)) * PRT__R(1 / PRT__PI) - u;
+}
+
+/* Whether a choice was made in any lane. */
+PRT__INLINE int prt__any(prt__chosen chosen) {
+    uint64_t part[sizeof chosen < sizeof(uint64_t) ? 1 : sizeof chosen / sizeof(uint64_t)] = { 0 }, any = 0;
+    size_t k;
+    memcpy(part, &chosen, sizeof chosen);
+    for (k = 0; k < sizeof part / sizeof *part; k++) any |= part[k];
+    return any != 0;
+}
+
+/* What an occluder takes and fills. cut: beyond N.FIV, or the paper's factor of it. */
+PRT__STATIC void prt__fiv_take(const prt__fiv_scene *s, const prt__vec vectors[9], prt__vec lit, prt__vec up,
+                               prt__vec sine, prt__vec cut, int partial, prt__fiv_seen *seen) {
+    const prt__vec zero = prt__vec_set(0), one = prt__vec_set(1);
+    int paper = (s->flags & PRT_FIV_PAPER_PARTIAL) != 0, whole = (s->flags & PRT_FIV_PAPER_OVERLAP) != 0, c;
+    prt__vec full = sine * sine * prt__vec_most(paper ? up * cut : up + cut, prt__vec_set(PRT__R(1.0 / 1024)));
+    for (c = 0; c < 3; c++) {
+        prt__vec x = vectors[3 * c], y = vectors[3 * c + 1], z = vectors[3 * c + 2];
+        prt__vec along = x * s->nx + y * s->ny + z * s->nz;
+        if (paper) along = along * cut;
+        else if (partial) along = along + PRT__SELECT(cut > zero, prt__vec_root(x * x + y * y + z * z) * cut, zero);
+        seen->taken[c] = PRT__SELECT(lit > zero, prt__vec_clamp(along, zero, s->total[c]), zero);
+        along = s->total[c] * full;
+        seen->filled[c] = whole ? one : PRT__SELECT(seen->taken[c] < along, seen->taken[c] / along, one);
+    }
+}
+
+PRT__INLINE prt_real prt__fiv_size(const prt__fiv_scene *s, int k) {
+    prt_fiv_body b;
+    if (s->hidden) return s->hidden[k].radius;
+    b = prt__fiv_body_of(s, k);
+    return prt__fiv_radius(&b);
+}
+
+/* 0: nothing of occluder k is above any receiver's horizon. */
+PRT__STATIC int prt__fiv_see(const prt__fiv_scene *s, int k, prt__fiv_seen *seen) {
+    const prt__vec zero = prt__vec_set(0), one = prt__vec_set(1);
+    prt_vec3 to = s->hidden ? s->hidden[k].to_centre : s->bodies ? s->bodies[k].position : s->occluders[k].position;
+    prt_real size = prt__fiv_size(s, k), lit[PRT__LANES];
+    prt__vec radius = prt__vec_set(size);
+    prt__fiv_polar p = prt__fiv_polar_of(to.x - s->px, to.y - s->py, to.z - s->pz);
+    prt__vec up = prt__fiv_dot(&p, s->nx, s->ny, s->nz), sine, u, cut = zero, shine, vectors[9];
+    int partial;
+    if (!(size > 0)) return 0;
+    sine = PRT__SELECT(radius < p.distance, radius / PRT__SELECT(p.distance > 0, p.distance, one), one);
+    u = prt__vec_clamp(up / sine, -one, one);
+    shine = PRT__SELECT(u > -one, one, zero);
+    if (!prt__any((prt__chosen)(u > -one))) return 0;
+    prt__vec_store(lit, shine);
+    prt__fiv_vectors(s, k, &p, lit, vectors);
+    partial = prt__any((prt__chosen)(u < one));
+    if (s->flags & PRT_FIV_PAPER_PARTIAL)
+        cut = prt__vec_clamp(up * p.distance / radius, -one, one) * PRT__R(0.5) + PRT__R(0.5);
+    else if (partial) cut = PRT__SELECT(u < one, prt__fiv_cut(u) * sine, zero);
+    prt__fiv_take(s, vectors, shine, up, sine, cut, partial, seen);
+    seen->x = p.x; seen->y = p.y; seen->z = p.z;
+    seen->disc2 = 2 * sine * sine / (1 + prt__vec_root((1 - sine) * (1 + sine)));
+    seen->disc = prt__vec_root(seen->disc2);
+    return 1;
+}
+
+PRT__INLINE prt__vec prt__fiv_apart(const prt__fiv_seen *a, const prt__fiv_seen *b) {          /* chord, squared */
+    prt__vec x = a->x - b->x, y = a->y - b->y, z = a->z - b->z;
+    return x * x + y * y + z * z;
+}
+
+/* Discs are the same where centres and radii differ by 3e-5 of a radius, squared: rounding stays far below. */
+#define PRT__FIV_SAME PRT__R(9.313225746154785e-10)            /* 2^-30 */
+
+/* Adds what two occluders take together: of the lens that lies in both discs, what both fill of it by chance, at the
+   mean of what a filled part gives; where the discs are the same, they are taken for one body. By Heron: h is four times the triangle of the centres and a crossing, whose angles
+   at the centres have half-angles of tangent h/((reach+d)(d +- apart)); where one disc contains the other h turns to 0,
+   and the angles to 0 and pi. */
+PRT__STATIC void prt__fiv_pair(const prt__fiv_seen *a, const prt__fiv_seen *b, prt__vec *twice) {
+    prt__vec d2 = prt__fiv_apart(a, b), d = prt__vec_root(d2), reach = a->disc + b->disc, apart = a->disc - b->disc;
+    prt__vec more = reach + d, zero = prt__vec_set(0), h, lens;
+    prt__chosen same;
+    int twins, c;
+    h = prt__vec_root(prt__vec_most((reach - d) * more * (d + apart) * (d - apart), zero));
+    lens = a->disc2 * prt__vec_slope(h, more * prt__vec_most(d + apart, zero))
+           + b->disc2 * prt__vec_slope(h, more * prt__vec_most(d - apart, zero));
+    lens = PRT__SELECT(reach > d, (2 * lens - h * PRT__R(0.5)) * PRT__R(1 / PRT__PI), zero);
+    same = d2 + apart * apart <= a->disc2 * PRT__FIV_SAME;
+    twins = prt__any(same);
+    for (c = 0; c < 3; c++) {
+        prt__vec f = a->filled[c], g = b->filled[c], areas, both;
+        if (twins) { f = PRT__SELECT(same, prt__vec_set(1), f); g = PRT__SELECT(same, f, g); }
+        areas = f * a->disc2 + g * b->disc2 + PRT__REAL_MIN;
+        both = lens * (f * g) * (a->taken[c] + b->taken[c]) / areas;
+        twice[c] += prt__vec_least(both, prt__vec_least(a->taken[c], b->taken[c]));
+    }
+}
+
+/* Occluders that are kept, where they are above a horizon, to meet all that follow; more are taken block by block, and
+   looked up once more for each. The blocks do not depend on what is above, so that sums have one order. */
+enum { PRT__FIV_BLOCK = 64 };
+
+/* Adds what b and any of the others take together: most pairs are too far apart. */
+PRT__STATIC void prt__fiv_pairs(const prt__fiv_seen *others, int count, const prt__fiv_seen *b, prt__vec *twice) {
+    int meet[PRT__FIV_BLOCK], met = 0, k;
+    for (k = 0; k < count; k++) {                              /* without a branch to guess */
+        prt__vec reach = others[k].disc + b->disc;
+        meet[met] = k;
+        met += prt__any((prt__chosen)(reach * reach > prt__fiv_apart(&others[k], b)));
+    }
+    for (k = 0; k < met; k++) prt__fiv_pair(&others[meet[k]], b, twice);
+}
+
+/* left[c] = total - what all occluders take. */
+PRT__STATIC void prt__fiv_shade(const prt__fiv_scene *s, prt__vec left[3]) {
+    prt__fiv_seen block[PRT__FIV_BLOCK + 1];
+    prt__vec zero = prt__vec_set(0), sum[3], most[3], twice[3];
+    int pairs = !(s->flags & PRT_FIV_NO_OVERLAP), first, kept, k, c;
+    for (c = 0; c < 3; c++) sum[c] = most[c] = twice[c] = zero;
+    for (first = 0; first < s->count; first += PRT__FIV_BLOCK) {
+        for (k = first, kept = 0; k < s->count && (pairs || k - first < PRT__FIV_BLOCK); k++) {
+            prt__fiv_seen *one = &block[kept];
+            if (!prt__fiv_see(s, k, one)) continue;
+            if (pairs) prt__fiv_pairs(block, kept, one, twice);
+            if (k - first >= PRT__FIV_BLOCK) continue;
+            kept += 1;
+            for (c = 0; c < 3; c++) {
+                sum[c] += one->taken[c];
+                most[c] = prt__vec_most(most[c], one->taken[c]);
+            }
+        }
+    }
+    for (c = 0; c < 3; c++)
+        left[c] = prt__vec_clamp(s->total[c] - prt__vec_clamp(sum[c] - twice[c], most[c], sum[c]), zero, s->total[c]);
+}
+
+PRT__STATIC prt_result prt__fiv_body_check(const prt_fiv_body *b) {
+    prt_result r;
+    if (b->table) {
+        if (!prt__fiv_table_ok(b->table)) return PRT_ERR_COUNT;
+        return b->table->rho && b->table->samples ? PRT_OK : PRT_ERR_NULL;
+    }
+    if (b->packed) {
+        r = prt__fiv_packed_check(b->packed);
+        return r == PRT_OK && !b->packed->grid.rho ? PRT_ERR_NULL : r;
+    }
+    r = prt__fiv_transfer_check(b->transfer);
+    return r == PRT_OK && (!b->transfer->rho || !b->transfer->samples || !b->vectors) ? PRT_ERR_NULL : r;
+}
+
+/* The first of the errors, pointers after all others. */
+PRT__STATIC prt_result prt__fiv_scene_check(const prt__fiv_scene *s) {
+    prt_result first = PRT_OK;
+    int k;
+    if (s->count < 0) return PRT_ERR_COUNT;
+    if (s->count > 0 && !s->occluders && !s->bodies) return PRT_ERR_NULL;
+    for (k = 0; k < s->count; k++) {
+        prt_fiv_body b = prt__fiv_body_of(s, k);
+        prt_result r = prt__fiv_body_check(&b);
+        if (r != PRT_OK && (first == PRT_OK || (first == PRT_ERR_NULL && r != PRT_ERR_NULL))) first = r;
+    }
+    return first;
+}
+
+/* The receivers of the lanes; lanes without one see the last of them. */
+PRT__STATIC void prt__fiv_receivers(prt__fiv_scene *s, int lanes, const prt_rgb *totals, const prt_vec3 *positions,
+                                    const prt_vec3 *normals) {
+    prt_real v[9][PRT__LANES];
+    prt__vec zero = prt__vec_set(0), all[9];
+    int k, i;
+    for (k = 0; k < (lanes > 1 ? PRT__LANES : 1); k++) {
+        int at = k < lanes ? k : lanes - 1;
+        v[0][k] = positions[at].x; v[1][k] = positions[at].y; v[2][k] = positions[at].z;
+        v[3][k] = normals[at].x; v[4][k] = normals[at].y; v[5][k] = normals[at].z;
+        v[6][k] = totals[at].r; v[7][k] = totals[at].g; v[8][k] = totals[at].b;
+    }
+    for (i = 0; i < 9; i++) all[i] = lanes > 1 ? prt__vec_load(v[i]) : prt__vec_set(v[i][0]);
+    s->lanes = lanes;
+    s->px = all[0]; s->py = all[1]; s->pz = all[2];
+    s->nx = all[3]; s->ny = all[4]; s->nz = all[5];
+    for (k = 0; k < 3; k++) s->total[k] = prt__vec_most(all[6 + k], zero);
+}
+
+PRT__STATIC void prt__fiv_write(const prt__vec left[3], int lanes, prt_rgb *irradiance) {
+    prt_real v[3][PRT__LANES];
+    int k;
+    for (k = 0; k < 3; k++) prt__vec_store(v[k], left[k]);
+    for (k = 0; k < lanes; k++) { irradiance[k].r = v[0][k]; irradiance[k].g = v[1][k]; irradiance[k].b = v[2][k]; }
+}
+
+/* Everything but the receivers is set. */
+PRT__STATIC prt_result prt__fiv_shade_all(prt__fiv_scene *scene, int receiver_count, const prt_rgb *totals,
+                                          const prt_vec3 *positions, const prt_vec3 *normals, prt_rgb *irradiance) {
+    prt_result r;
+    prt__vec left[3];
+    int k;
+    if (receiver_count < 0) return PRT_ERR_COUNT;
+    r = prt__fiv_scene_check(scene);
+    if (r != PRT_OK) return r;
+    if (receiver_count > 0 && (!totals || !positions || !normals || !irradiance)) return PRT_ERR_NULL;
+    for (k = 0; k < receiver_count; k += PRT__LANES) {
+        int lanes = receiver_count - k < PRT__LANES ? receiver_count - k : PRT__LANES;
+        prt__fiv_receivers(scene, lanes, totals + k, positions + k, normals + k);
+        prt__fiv_shade(scene, left);
+        prt__fiv_write(left, lanes, irradiance + k);
+    }
+    return PRT_OK;
+}
+
+PRT__STATIC void prt__fiv_scene_of(prt__fiv_scene *scene, int count, unsigned flags) {
+    scene->hidden = 0;
+    scene->occluders = 0;
+    scene->bodies = 0;
+    scene->count = count;
+    scene->flags = flags;
+}
+
+PRTDEF prt_result prt_fiv_shade_n(int receiver_count, const prt_rgb *totals, const prt_vec3 *positions,
+                                  const prt_vec3 *normals, int count, const prt_fiv_occluder *occluders, unsigned flags,
+                                  prt_rgb *irradiance) {
+    prt__fiv_scene scene;
+    prt__fiv_scene_of(&scene, count, flags);
+    scene.occluders = occluders;
+    return prt__fiv_shade_all(&scene, receiver_count, totals, positions, normals, irradiance);
+}
+
+PRTDEF prt_result prt_fiv_shade_bodies_n(int receiver_count, const prt_rgb *totals, const prt_vec3 *positions,
+                                         const prt_vec3 *normals, int count, const prt_fiv_body *bodies, unsigned flags,
+                                         prt_rgb *irradiance) {
+    prt__fiv_scene scene;
+    prt__fiv_scene_of(&scene, count, flags);
+    scene.bodies = bodies;
+    return prt__fiv_shade_all(&scene, receiver_count, totals, positions, normals, irradiance);
+}
+
+PRTDEF prt_result prt_fiv_shade(prt_rgb total, prt_vec3 position, prt_vec3 normal, int count,
+                                const prt_fiv_occluder *occluders, unsigned flags, prt_rgb *irradiance) {
+    return prt_fiv_shade_n(1, &total, &position, &normal, count, occluders, flags, irradiance);
+}
+
+PRTDEF prt_result prt_fiv_shade_vectors(prt_rgb total, prt_vec3 normal, int count, const prt_fiv_hidden *hidden,
+                                        unsigned flags, prt_rgb *irradiance) {
+    const prt_vec3 origin = { 0, 0, 0 };
+    prt__fiv_scene scene;
+    prt__vec left[3];
+    if (count < 0) return PRT_ERR_COUNT;
+    if ((count > 0 && !hidden) || !irradiance) return PRT_ERR_NULL;
+    prt__fiv_scene_of(&scene, count, flags);
+    scene.hidden = hidden;
+    prt__fiv_receivers(&scene, 1, &total, &origin, &normal);
+    prt__fiv_shade(&scene, left);
+    prt__fiv_write(left, 1, irradiance);
     return PRT_OK;
 }
 

@@ -136,6 +136,7 @@ typedef struct fiv_scene {
     prt_fiv_packed packed8, packed16;
     prt_fiv_transfer transfer;
     prt_fiv_occluder occluders[FIV_MOST];
+    prt_fiv_body bodies[4];            /* occluder 0 with each kind of table */
     prt_vec3 positions[FIV_RECEIVERS], normals[FIV_RECEIVERS];
     prt_rgb totals[FIV_RECEIVERS];
     prt_fiv_hidden found[FIV_MOST];    /* what the occluders hide from receiver 0 */
@@ -177,6 +178,12 @@ static const fiv_scene *fiv_scene_of(const bench_data *data) {
         o.position.z = (prt_real)(1.2 + 0.3 * (k % 5));
         s.occluders[k] = o;
     }
+    s.bodies[0].table = &s.table;
+    s.bodies[1].packed = &s.packed16;
+    s.bodies[2].packed = &s.packed8;
+    s.bodies[3].transfer = &s.transfer;
+    s.bodies[3].vectors = s.vectors;
+    for (k = 0; k < 4; k++) s.bodies[k].position = s.occluders[0].position;
     for (k = 0; k < FIV_RECEIVERS; k++) {
         prt__fiv_grid grid = prt__fiv_grid_of(&s.table);
         prt__fiv_cells cells;

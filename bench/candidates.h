@@ -201,6 +201,18 @@ BATCH(fiv_shade_1,  "fiv_shade 1 occluder", "prt_fiv_shade_n", "0", FIV_RECEIVER
 EACH (fiv_each_1,   "fiv_shade 1 occluder", "prt_fiv_shade, one by one", "0", FIV_RECEIVERS,
       FIV; prt_fiv_shade(s->totals[k], s->positions[k], s->normals[k], 1, s->occluders, 0, (prt_rgb *)OUT), 0,
       FIV_READS + 9, 3)
+BATCH(fiv_bodies_p, "fiv_shade 1 occluder", "prt_fiv_shade_bodies_n, plain", "0", FIV_RECEIVERS,
+      FIV; prt_fiv_shade_bodies_n(FIV_RECEIVERS, s->totals, s->positions, s->normals, 1, s->bodies, 0, (prt_rgb *)OUT),
+      0, FIV_READS + 9, 3)
+BATCH(fiv_bodies_h, "fiv_shade 1 occluder", "prt_fiv_shade_bodies_n, 16 bits", "0", FIV_RECEIVERS,
+      FIV; prt_fiv_shade_bodies_n(FIV_RECEIVERS, s->totals, s->positions, s->normals, 1, s->bodies + 1, 0,
+      (prt_rgb *)OUT), 0, FIV_READS * 2 / sizeof(prt_real) + 9, 3)
+BATCH(fiv_bodies_b, "fiv_shade 1 occluder", "prt_fiv_shade_bodies_n, 8 bits", "0", FIV_RECEIVERS,
+      FIV; prt_fiv_shade_bodies_n(FIV_RECEIVERS, s->totals, s->positions, s->normals, 1, s->bodies + 2, 0,
+      (prt_rgb *)OUT), 0, FIV_READS / sizeof(prt_real) + 9, 3)
+BATCH(fiv_bodies_t, "fiv_shade 1 occluder", "prt_fiv_shade_bodies_n, transfer of 4 bands", "0", FIV_RECEIVERS,
+      FIV; prt_fiv_shade_bodies_n(FIV_RECEIVERS, s->totals, s->positions, s->normals, 1, s->bodies + 3, 0,
+      (prt_rgb *)OUT), 0, 8 * FIV_HIDDEN + 9, 3)
 BATCH(fiv_touch,    "fiv_shade 1 occluder", "the eight samples alone", "0", FIV_RECEIVERS,
       FIV; fiv_touch(s, OUT), 0, FIV_READS, 0)
 BATCH(fiv_shade_10, "fiv_shade 10 occluders", "prt_fiv_shade_n", "0", FIV_RECEIVERS * 10,

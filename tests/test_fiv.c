@@ -865,6 +865,138 @@ static void packed_tables_keep_their_error(void **state) {
     }
 }
 
+/* Tables of every kind around the same receivers: what the lookups and prt_fiv_shade_vectors make of them one by one. */
+enum { KINDS = 5 };
+typedef struct menagerie {
+    uint16_t halves[SAMPLES * 9];
+    unsigned char bytes[SAMPLES * 9];
+    prt_fiv low[RHOS], step[RHOS];
+    prt_fiv_table plain;
+    prt_fiv_packed half, byte;
+    prt_fiv_transfer transfer;
+    prt_real turn[9], still[9 * HIDDEN], turning[9 * HIDDEN];
+    prt_fiv_body bodies[KINDS];
+} menagerie;
+
+static void gather(menagerie *m) {
+    prt_real light[3 * LIGHT];
+    int k;
+    random_light(light);
+    turn_of(m->turn);
+    memset(m->bodies, 0, sizeof m->bodies);
+    m->plain = random_table();
+    m->transfer = random_transfer();
+    assert_int_equal(prt_fiv_pack(&m->plain, 16, m->halves, NULL, NULL, &m->half), PRT_OK);
+    assert_int_equal(prt_fiv_pack(&m->plain, 8, m->bytes, m->low, m->step, &m->byte), PRT_OK);
+    assert_int_equal(prt_fiv_transfer_light(BANDS, NULL, light, m->still), PRT_OK);
+    assert_int_equal(prt_fiv_transfer_light(BANDS, m->turn, light, m->turning), PRT_OK);
+    m->bodies[0].table = &m->plain;
+    m->bodies[1].packed = &m->half;
+    m->bodies[2].packed = &m->byte;
+    m->bodies[3].transfer = m->bodies[4].transfer = &m->transfer;
+    m->bodies[3].vectors = m->still;
+    m->bodies[4].vectors = m->turning;
+    m->bodies[4].rotation = m->turn;
+    for (k = 0; k < KINDS; k++) m->bodies[k].position = scaled(random_direction(), 1.5 + 2 * uniform());
+}
+
+static void bodies_of_every_kind(void **state) {
+    static menagerie m;
+    prt_vec3 p[RECEIVERS], n[RECEIVERS];
+    prt_rgb total[RECEIVERS], out[RECEIVERS], one;
+    prt_fiv_hidden h[KINDS];
+    int round, k, i;
+    (void)state;
+    for (round = 0; round < 20; round++) {
+        gather(&m);
+        for (k = 0; k < RECEIVERS; k++) {
+            p[k] = scaled(random_direction(), 2 * uniform());
+            n[k] = random_direction();
+            total[k] = rgb(4 * uniform(), 3, 8);
+        }
+        assert_int_equal(prt_fiv_shade_bodies_n(RECEIVERS, total, p, n, KINDS, m.bodies, 0, out), PRT_OK);
+        for (k = 0; k < RECEIVERS; k++) {
+            for (i = 0; i < KINDS; i++) {
+                const prt_fiv_body *b = &m.bodies[i];
+                h[i].radius = 1;
+                h[i].to_centre = vec3((double)b->position.x - (double)p[k].x, (double)b->position.y - (double)p[k].y,
+                                      (double)b->position.z - (double)p[k].z);
+                assert_int_equal(b->table ? prt_fiv_lookup(b->table, h[i].to_centre, &h[i].fiv)
+                                 : b->packed ? prt_fiv_packed_lookup(b->packed, h[i].to_centre, &h[i].fiv)
+                                 : prt_fiv_transfer_lookup(b->transfer, b->rotation, b->vectors, h[i].to_centre, &h[i].fiv),
+                                 PRT_OK);
+            }
+            assert_int_equal(prt_fiv_shade_vectors(total[k], n[k], KINDS, h, 0, &one), PRT_OK);
+            assert_near(out[k].r, (double)one.r, 2e4 * EPS);
+            assert_near(out[k].g, (double)one.g, 2e4 * EPS);
+            assert_near(out[k].b, (double)one.b, 2e4 * EPS);
+            assert_true(within(out[k], total[k]));
+        }
+    }
+}
+
+static void bodies_in_batches(void **state) {
+    static menagerie m;
+    prt_vec3 p[RECEIVERS], n[RECEIVERS];
+    prt_rgb total[RECEIVERS], out[RECEIVERS], one;
+    prt_fiv_occluder o;
+    int k;
+    (void)state;
+    skip_if_fast_math();
+    gather(&m);
+    for (k = 0; k < RECEIVERS; k++) {
+        p[k] = scaled(random_direction(), 2 * uniform());
+        n[k] = random_direction();
+        total[k] = rgb(4 * uniform(), 3, 8);
+    }
+    assert_int_equal(prt_fiv_shade_bodies_n(RECEIVERS, total, p, n, KINDS, m.bodies, 0, out), PRT_OK);
+    for (k = 0; k < RECEIVERS; k++) {
+        assert_int_equal(prt_fiv_shade_bodies_n(1, total + k, p + k, n + k, KINDS, m.bodies, 0, &one), PRT_OK);
+        assert_memory_equal(&one, &out[k], sizeof one);
+    }
+    o.table = &m.plain;
+    o.position = m.bodies[0].position;
+    assert_int_equal(prt_fiv_shade_bodies_n(RECEIVERS, total, p, n, 1, m.bodies, 0, out), PRT_OK);
+    for (k = 0; k < RECEIVERS; k++) {
+        assert_int_equal(prt_fiv_shade(total[k], p[k], n[k], 1, &o, 0, &one), PRT_OK);
+        assert_memory_equal(&one, &out[k], sizeof one);
+    }
+}
+
+static void bad_bodies_write_nothing(void **state) {
+    static menagerie m;
+    const prt_vec3 z = { 0, 0, 1 };
+    const prt_rgb total = { 1, 1, 1 };
+    prt_rgb out = { 7, 7, 7 };
+    prt_fiv_body b[KINDS];
+    prt_fiv_packed packed;
+    prt_fiv_transfer transfer;
+    (void)state;
+    gather(&m);
+#define REFUSED(why) do { assert_int_equal(prt_fiv_shade_bodies_n(1, &total, &z, &z, KINDS, b, 0, &out), why); \
+        assert_true(out.r == 7 && out.g == 7 && out.b == 7); } while (0)
+    memcpy(b, m.bodies, sizeof b); b[0].table = NULL; REFUSED(PRT_ERR_NULL);                   /* of no kind */
+    memcpy(b, m.bodies, sizeof b); b[3].vectors = NULL; REFUSED(PRT_ERR_NULL);
+    packed = m.half;
+    memcpy(b, m.bodies, sizeof b); b[1].packed = &packed; packed.data = NULL; REFUSED(PRT_ERR_NULL);
+    packed = m.half; packed.bits = 12; REFUSED(PRT_ERR_COUNT);
+    packed = m.half; packed.grid.rho = NULL; REFUSED(PRT_ERR_NULL);
+    packed = m.byte; packed.step = NULL; REFUSED(PRT_ERR_NULL);
+    transfer = m.transfer;
+    memcpy(b, m.bodies, sizeof b); b[4].transfer = &transfer; transfer.bands = 0; REFUSED(PRT_ERR_BANDS);
+    b[0].table = NULL; REFUSED(PRT_ERR_BANDS);                     /* pointers last */
+    transfer = m.transfer; transfer.phi_count = 0; REFUSED(PRT_ERR_COUNT);
+    memcpy(b, m.bodies, sizeof b);
+    assert_int_equal(prt_fiv_shade_bodies_n(-1, &total, &z, &z, KINDS, b, 0, &out), PRT_ERR_COUNT);
+    assert_int_equal(prt_fiv_shade_bodies_n(1, &total, &z, &z, -1, b, 0, &out), PRT_ERR_COUNT);
+    assert_int_equal(prt_fiv_shade_bodies_n(1, &total, &z, &z, 1, NULL, 0, &out), PRT_ERR_NULL);
+    assert_int_equal(prt_fiv_shade_bodies_n(1, NULL, &z, &z, KINDS, b, 0, &out), PRT_ERR_NULL);
+    assert_int_equal(prt_fiv_shade_bodies_n(1, &total, &z, &z, KINDS, b, 0, NULL), PRT_ERR_NULL);
+    assert_int_equal(prt_fiv_shade_bodies_n(0, NULL, NULL, NULL, 0, NULL, 0, NULL), PRT_OK);
+    assert_true(out.r == 7);
+#undef REFUSED
+}
+
 static void packing_refuses_bad_arguments(void **state) {
     static uint16_t data[SAMPLES * 9];
     prt_fiv low[RHOS], step[RHOS], f;
@@ -1149,6 +1281,9 @@ int main(void) {
         cmocka_unit_test(halves_are_rounded_to_nearest),
         cmocka_unit_test(packed_tables_keep_their_error),
         cmocka_unit_test(packing_refuses_bad_arguments),
+        cmocka_unit_test(bodies_of_every_kind),
+        cmocka_unit_test(bodies_in_batches),
+        cmocka_unit_test(bad_bodies_write_nothing),
         cmocka_unit_test(total_between_texels),
         cmocka_unit_test(every_place_is_survived),
         cmocka_unit_test(zero_radius_hides_nothing),
