@@ -13,6 +13,7 @@ help:
 	@echo "make advise     ask advise about some scenes; writes docs/advise.md"
 	@echo "make test       build and run every test; ends with 'N passed, N failed'"
 	@echo "make bench      time and error of every candidate, as tables and CSV"
+	@echo "make gpu        time of the generated shaders on this machine's GPU (Vulkan, glslc or glslangValidator)"
 	@echo "make gen        rewrite the generated blocks of the headers (gen-check: only compare)"
 	@echo "make icount-update  count the instructions of the main kernels anew, for the test of that name"
 	@echo "make fuzz       run each fuzz target for FUZZ_SECONDS=$(FUZZ_SECONDS)"

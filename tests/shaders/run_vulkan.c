@@ -1,4 +1,4 @@
-/* A compute shader in SPIR-V on the first Vulkan device that there is, a software one (Mesa's lavapipe) if there is. */
+/* A compute shader in SPIR-V on a Vulkan device. */
 #include "runner.h"
 
 #include <stdio.h>
@@ -18,13 +18,15 @@ static struct {
     VkDescriptorPool descriptors;
     VkDescriptorSetLayout set_layout;
     VkPipelineLayout layout;
+    VkQueryPool stamps;                                /* before and after a dispatch; 0: the queue has no clock */
 } vk;
 
 static int failed(VkResult result, const char *doing, why *w) {
     return result == VK_SUCCESS ? 0 : why_set(w, "Vulkan: error %d while %s", (int)result, doing);
 }
 
-static int choose_device(why *w) {
+/* The first device that is a processor, or that is none; if there is no such, the first */
+static int choose_device(int processor, why *w) {
     VkPhysicalDevice found[16];
     uint32_t count = 16, i;
     VkResult result = vkEnumeratePhysicalDevices(vk.instance, &count, found);
@@ -32,19 +34,22 @@ static int choose_device(why *w) {
     vk.physical = found[0];
     for (i = 0; i < count; i++) {
         vkGetPhysicalDeviceProperties(found[i], &vk.properties);
-        if (vk.properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU) { vk.physical = found[i]; break; }
+        if ((vk.properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU) == processor) { vk.physical = found[i]; break; }
     }
     vkGetPhysicalDeviceProperties(vk.physical, &vk.properties);
     vkGetPhysicalDeviceMemoryProperties(vk.physical, &vk.memory);
     return 0;
 }
 
-static int choose_queue(why *w) {
+static int choose_queue(uint32_t *clock_bits, why *w) {
     VkQueueFamilyProperties family[16];
     uint32_t count = 16;
     vkGetPhysicalDeviceQueueFamilyProperties(vk.physical, &count, family);
     for (vk.family = 0; vk.family < count; vk.family++)
-        if (family[vk.family].queueFlags & VK_QUEUE_COMPUTE_BIT) return 0;
+        if (family[vk.family].queueFlags & VK_QUEUE_COMPUTE_BIT) {
+            *clock_bits = family[vk.family].timestampValidBits;
+            return 0;
+        }
     return why_set(w, "Vulkan: no queue for compute shaders");
 }
 
@@ -116,21 +121,38 @@ static int create_pools(why *w) {
            failed(vkCreatePipelineLayout(vk.device, &layout, NULL, &vk.layout), "making a layout", w) ? -1 : 0;
 }
 
-int vulkan_create(why *w) {
+static int create_clock(uint32_t clock_bits, why *w) {
+    VkQueryPoolCreateInfo info;
+    if (!clock_bits) return 0;
+    memset(&info, 0, sizeof info);
+    info.sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO;
+    info.queryType = VK_QUERY_TYPE_TIMESTAMP;
+    info.queryCount = 2;
+    return failed(vkCreateQueryPool(vk.device, &info, NULL, &vk.stamps), "making a clock", w) ? -1 : 0;
+}
+
+int vulkan_create(int processor, why *w) {
+    uint32_t clock_bits = 0;
     VkApplicationInfo application;
     VkInstanceCreateInfo info;
+    VkResult result;
     memset(&application, 0, sizeof application); memset(&info, 0, sizeof info);
     application.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO;
     application.apiVersion = VK_API_VERSION_1_2;
     info.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO;
     info.pApplicationInfo = &application;
-    if (failed(vkCreateInstance(&info, NULL, &vk.instance), "starting", w)) return -1;
-    if (choose_device(w) || choose_queue(w) || create_device(w) || create_pools(w)) { vulkan_destroy(); return -1; }
-    return 0;
+    result = vkCreateInstance(&info, NULL, &vk.instance);
+    if (result == VK_ERROR_INCOMPATIBLE_DRIVER) return why_set(w, "Vulkan: no driver for any device is installed");
+    if (failed(result, "starting", w)) return -1;
+    if (!choose_device(processor, w) && !choose_queue(&clock_bits, w) && !create_device(w) && !create_pools(w) &&
+        !create_clock(clock_bits, w)) return 0;
+    vulkan_destroy();
+    return -1;
 }
 
 void vulkan_destroy(void) {
     if (vk.device) {
+        vkDestroyQueryPool(vk.device, vk.stamps, NULL);
         vkDestroyPipelineLayout(vk.device, vk.layout, NULL);
         vkDestroyDescriptorSetLayout(vk.device, vk.set_layout, NULL);
         vkDestroyDescriptorPool(vk.device, vk.descriptors, NULL);
@@ -142,6 +164,7 @@ void vulkan_destroy(void) {
 }
 
 const char *vulkan_name(void) { return vk.properties.deviceName; }
+int vulkan_is_processor(void) { return vk.properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU; }
 
 /* ---- one program ---- */
 
@@ -231,7 +254,15 @@ static int bind_buffers(const buffer buffers[2], VkDescriptorSet *set, why *w) {
     return 0;
 }
 
-static int dispatch(VkPipeline pipeline, VkDescriptorSet set, int groups, why *w) {
+/* Seconds between the two stamps, by the device's clock; 0 without one */
+static double stamped_seconds(void) {
+    uint64_t stamp[2] = { 0, 0 };
+    if (!vk.stamps || vkGetQueryPoolResults(vk.device, vk.stamps, 0, 2, sizeof stamp, stamp, sizeof *stamp,
+                                            VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT) != VK_SUCCESS) return 0;
+    return (double)(stamp[1] - stamp[0]) * (double)vk.properties.limits.timestampPeriod * 1e-9;
+}
+
+static int dispatch(VkPipeline pipeline, VkDescriptorSet set, int groups, double *seconds, why *w) {
     VkCommandBufferAllocateInfo allocation;
     VkCommandBufferBeginInfo begin;
     VkSubmitInfo submit;
@@ -246,21 +277,29 @@ static int dispatch(VkPipeline pipeline, VkDescriptorSet set, int groups, why *w
     begin.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
     begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
     vkBeginCommandBuffer(commands, &begin);
+    if (vk.stamps) {
+        vkCmdResetQueryPool(commands, vk.stamps, 0, 2);
+        vkCmdWriteTimestamp(commands, VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT, vk.stamps, 0);
+    }
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline);
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, vk.layout, 0, 1, &set, 0, NULL);
     vkCmdDispatch(commands, (uint32_t)groups, 1, 1);
+    if (vk.stamps) vkCmdWriteTimestamp(commands, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, vk.stamps, 1);
     vkEndCommandBuffer(commands);
     submit.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO;
     submit.commandBufferCount = 1;
     submit.pCommandBuffers = &commands;
     bad = failed(vkQueueSubmit(vk.queue, 1, &submit, VK_NULL_HANDLE), "starting a compute shader", w) ||
           failed(vkQueueWaitIdle(vk.queue), "running a compute shader", w);
+    if (!bad && seconds) *seconds = stamped_seconds();
     vkFreeCommandBuffers(vk.device, vk.commands, 1, &commands);
     return bad ? -1 : 0;
 }
 
-int run_vulkan(const char *spirv_path, const work *job, why *w) {
-    size_t read = (size_t)job->items * (size_t)job->ins * sizeof(float), written = (size_t)job->items * (size_t)job->outs * sizeof(float);
+int run_vulkan(const char *spirv_path, const work *job, int runs, double *seconds, why *w) {
+    size_t each = (size_t)job->items * sizeof(float), read = each * (size_t)job->ins, written = each * (size_t)job->outs;
+    double now = 0;
+    int i;
     VkShaderModule module = VK_NULL_HANDLE;
     VkPipeline pipeline = VK_NULL_HANDLE;
     VkDescriptorSet set;
@@ -271,7 +310,10 @@ int run_vulkan(const char *spirv_path, const work *job, why *w) {
           create_buffer(&buffers[0], read, w) || create_buffer(&buffers[1], written, w) || bind_buffers(buffers, &set, w);
     if (!bad) {
         memcpy(buffers[0].mapped, job->in, read);
-        bad = dispatch(pipeline, set, job->items / 64, w);
+        for (i = 0; i < runs && !bad; i++) {
+            bad = dispatch(pipeline, set, job->items / 64, &now, w);
+            if (seconds && (i == 0 || now < *seconds)) *seconds = now;
+        }
         if (!bad) memcpy(job->out, buffers[1].mapped, written);
     }
     vkResetDescriptorPool(vk.device, vk.descriptors, 0);

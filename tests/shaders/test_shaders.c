@@ -94,7 +94,7 @@ static const char *cannot_run(const target *t) {
     if (t->route == BY_C && t->precision != PRECISION_FLOAT &&
         system("echo '_Float16 x;' | cc -x c -fsyntax-only - 2>/dev/null")) return "the C compiler has no _Float16";
     if (t->route == BY_SPIRV) {
-        if (!have_vulkan && vulkan_create(&reason) == 0) have_vulkan = 1;
+        if (!have_vulkan && vulkan_create(1, &reason) == 0) have_vulkan = 1;
         if (!have_vulkan && (t->precision == PRECISION_FLOAT16 || !strcmp(t->name, "wgsl-f16"))) return reason.line;
         if (!have_vulkan) opened = 1;
     }
@@ -286,7 +286,7 @@ static int run_job(const target *t, const job *j, int number, void *library) {
     if (t->route == BY_WEBGPU) return read_output(&j->work, number);
     if (t->route != BY_SPIRV || !have_vulkan) return run_text(t, &j->work, number);
     snprintf(path, sizeof path, "%s/%d.spv", folder, number);
-    return run_vulkan(path, &j->work, &reason);
+    return run_vulkan(path, &j->work, 1, NULL, &reason);
 }
 
 /* ---- the proof ---- */

@@ -132,8 +132,10 @@ static void wrap_function(FILE *to, kernel *k, const char *language, precision p
 }
 
 /* Sums of indices are left to right, item * N + 1 + i: with parentheses about 1 + i Mesa 22.3 takes that sum for the
-   loop's own next i where the loop is too long to be unrolled, and fills the array one place too far. */
-static void wrap_compute(FILE *to, kernel *k, const char *language, precision p, const char *version) {
+   loop's own next i where the loop is too long to be unrolled, and fills the array one place too far.
+   Inputs shared_from ... shared_to - 1 are those of item 0 for all. */
+static void wrap_compute(FILE *to, kernel *k, const char *language, precision p, const char *version, int shared_from,
+                         int shared_to) {
     int ins = kernel_inputs(k), outs = kernel_outputs(k);
     const dialect *d = find_dialect(language, p);
     if (!strcmp(language, "glsl")) fprintf(to, "#version %s\n", version);
@@ -147,7 +149,12 @@ static void wrap_compute(FILE *to, kernel *k, const char *language, precision p,
     if (!strcmp(language, "wgsl"))
         fprintf(to, "@group(0) @binding(0) var<storage, read> ins: array<f32>;\n"
                     "@group(0) @binding(1) var<storage, read_write> outs: array<f32>;\n");
-    else fprintf(to, "#define IN(i) ins[item * %d + i]\n#define OUT(i, v) outs[item * %d + i] = float(v)\n", ins, outs);
+    else {
+        if (shared_from < shared_to)
+            fprintf(to, "#define IN(i) ins[(i >= %d && i < %d ? 0 : item * %d) + i]\n", shared_from, shared_to, ins);
+        else fprintf(to, "#define IN(i) ins[item * %d + i]\n", ins);
+        fprintf(to, "#define OUT(i, v) outs[item * %d + i] = float(v)\n", outs);
+    }
     print_kernel(to, d, k, "prt_kernel");
     if (!strcmp(language, "glsl")) fprintf(to, "void main() {\n    int item = int(gl_GlobalInvocationID.x);\n");
     if (!strcmp(language, "hlsl"))
@@ -174,7 +181,11 @@ static void wrap_fragment(FILE *to, kernel *k, precision p, const char *version)
 void wrap_kernel(FILE *to, kernel *k, const char *language, precision p, wrapping how, const char *version, int number) {
     switch (how) {
     case WRAP_FUNCTION: wrap_function(to, k, language, p, number); break;
-    case WRAP_COMPUTE:  wrap_compute(to, k, language, p, version); break;
+    case WRAP_COMPUTE:  wrap_compute(to, k, language, p, version, 0, 0); break;
     case WRAP_FRAGMENT: wrap_fragment(to, k, p, version); break;
     }
+}
+
+void wrap_shared(FILE *to, kernel *k, int shared_from, int shared_to) {
+    wrap_compute(to, k, "glsl", PRECISION_FLOAT, "450", shared_from, shared_to);
 }

@@ -15,6 +15,9 @@ typedef enum wrapping { WRAP_COMPUTE, WRAP_FRAGMENT, WRAP_FUNCTION } wrapping;
 
 void wrap_kernel(FILE *to, kernel *k, const char *language, precision p, wrapping how, const char *version, int number);
 
+/* A compute shader in GLSL 450 where all items read inputs shared_from ... shared_to - 1 from item 0 */
+void wrap_shared(FILE *to, kernel *k, int shared_from, int shared_to);
+
 /* What stands once at the head of a file of functions */
 void wrap_preamble(FILE *to, const char *language, precision p);
 
