@@ -171,7 +171,7 @@ radiance at albedo 1 is off from ray tracing, over its mean, at the worse of two
 ({', '.join(trade.meshes)}); rows whose set-up is the next row's are left out. *A photographed environment*: at least
 three of six environment maps (examples/data) are as good or better. Shading and baking: one thread, the machine below,
 everything in the caches; the ranges of packed transfer take another 8 bytes a coefficient for the whole mesh. Your own
-scene: `advise mesh environment` (examples/advise.c) measures it.
+scene: `advise mesh environment` measures it, [advise.md](advise.md).
 """, report.stamp(table), f"""## Bands
 
 ![Error against bands](plots/bands_rmse.svg)

@@ -19,6 +19,8 @@ import sys
 
 NOTE = "<!-- Written by bench/report.py from bench/results/*.csv: do not edit. `make docs` measures and writes anew. -->"
 
+CHOOSE = "How many bands, rays and bits to use, and error against time of every choice: [choose.md](choose.md)."
+
 # What each job computes, for headings. A job that is not listed appears under its own name.
 TITLES = {
     "eval": "Evaluate the basis in one direction (`prt_sh_eval`)",
@@ -300,7 +302,7 @@ def keep_peers(path, kept):
 
 
 def speed_page(root, speed, peers):
-    text = [f"# Speed\n\n{NOTE}\n", stamp(speed), """
+    text = [f"# Speed\n\n{NOTE}\n", f"{CHOOSE}\n", stamp(speed), """
 Nanoseconds for one item: the median of interleaved rounds, so that ratios within a table are firmer than the times.
 *Flops*, *bytes* (read and written, float), *±* (half the interquartile range) and the ceilings are those of the first
 column. *To a plain write* and *to a copy* are the time over that of `memset` and `memcpy` on the same output bytes; *to
@@ -389,6 +391,8 @@ def accuracy_page(root, accuracy):
     text = f"""# Accuracy
 
 {NOTE}
+
+{CHOOSE}
 
 {stamp(accuracy)}
 Largest absolute error of a coefficient of the basis over {counts['poles']} directions at and near the poles (down to
