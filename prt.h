@@ -467,12 +467,12 @@ PRTDEF prt_result prt_sh_rotate_by_soa(int bands, const prt_real *blocks, int co
    band above. 1000 turns by 2 pi/1000 at 6 bands come back in float within 7e-5 about x, y and z, 1e-5 of which the
    rounding of R alone makes; about other axes within 1e-4 in the mean and 4e-4 at worst, since multiples of g are
    rounded each on its own (docs/rotation.md). a is worked out in double from g as it was rounded, and the constants
-   of the swap are rounded so that it stays its own inverse. At 5 bands, by tensors: within 1e-4 about x, y and
-   z, 6e-5 in the mean and 1.4e-4 at worst about others. Cost: 9 55 122 224 358 528 738 multiplications and about 0.6 times as many
-   additions for 2 to 8 bands, most of them four at a time, above 5 bands one root and two divisions; 0.41, 0.57, 0.64
-   and 0.77 times the time of DirectXMath's XMSHRotate at 3 to 6 bands (AVX-512; 0.51, 0.6, 0.7 and 0.85 with
-   SSE2). Above 8 bands the swap is computed on the way, in double, about 16 l^2 operations a band without a root or
-   division: 0.22, 1.5 and 41 us at 9, 16 and 64 bands (AVX-512; 0.35, 3.3 and 167 us with SSE2), a seventh of what
+   of the swap are rounded so that it stays its own inverse. At 5 bands, by tensors: within 1e-4 about x, y and z,
+   6e-5 in the mean and 1.4e-4 at worst about others. Cost: 9 55 122 224 358 528 738 multiplications and about 0.6
+   times as many additions for 2 to 8 bands without SIMD; with it fewer, four at a time, and above 5 bands one root and
+   two divisions. 0.41, 0.57, 0.64 and 0.7 times the time of DirectXMath's XMSHRotate at 3 to 6 bands (AVX-512; 0.51,
+   0.6, 0.7 and 0.78 with SSE2). Above 8 bands the swap is computed on the way, in double, about 16 l^2 operations a
+   band without a root or division: 0.22, 1.5 and 41 us at 9, 16 and 64 bands (AVX-512; 0.35, 3.3 and 167 us with SSE2), a seventh of what
    building the blocks takes. */
 PRTDEF prt_result prt_sh_rotate     (int bands, const prt_real rotation[9], const prt_real *f, prt_real *out);
 
@@ -3786,7 +3786,8 @@ PRTDEF prt_result prt_sh_rotate_by_soa(int bands, const prt_real *blocks, int co
 typedef struct prt__angles { double ca, sa; prt_real cb, sb, cg, sg, c2g, s2g; } prt__angles;
 PRT__INLINE void prt__euler(const prt_real *r, prt__angles *e) {
     prt_real h2 = r[6] * r[6] + r[7] * r[7], h = 0, c = r[8], over, unit;
-    double side = (double)prt__sign(c), scale = 1 / (1 + side * (double)c), x, y, length, cg, sg;
+    prt_real side = prt__sign(c), scale = 1 / (1 + side * c);
+    double x = (double)((r[4] + side * r[0]) * scale), y = (double)((r[3] - side * r[1]) * scale), length, cg, sg;
     e->cg = e->c2g = 1;
     e->sg = e->s2g = 0;
     if (h2 > PRT__EPS * PRT__EPS * PRT__EPS * PRT__EPS) {
@@ -3799,11 +3800,9 @@ PRT__INLINE void prt__euler(const prt_real *r, prt__angles *e) {
     }
     cg = (double)e->cg;
     sg = (double)e->sg;
-    x = ((double)r[4] + side * (double)r[0]) * scale;
-    y = ((double)r[3] - side * (double)r[1]) * scale;
     length = (1.5 - 0.5 * (x * x + y * y)) * (2 - (cg * cg + sg * sg));
     e->ca = (x * cg + y * sg) * length;
-    e->sa = (y * cg - x * sg) * length * side;
+    e->sa = (y * cg - x * sg) * length * (double)side;
     unit = PRT__R(1.5) - PRT__R(0.5) * (h2 + c * c);
     e->cb = c * unit;
     e->sb = h * unit;
@@ -3853,9 +3852,10 @@ typedef int64_t prt__quad_mask __attribute__((vector_size(32)));
 typedef int32_t prt__quad_mask __attribute__((vector_size(16)));
 #  endif
 
-/* A band in four classes: from band 4 on even_cos = { c0 c2 c4 c6 }, odd_cos = { c1 c3 c5 c7 }, even_sin = { - s2 s4 s6 },
+/* A band in four classes: from band 5 on even_cos = { c0 c2 c4 c6 }, odd_cos = { c1 c3 c5 c7 }, even_sin = { - s2 s4 s6 },
    odd_sin = { s1 s3 s5 s7 }, with s_m the coefficient of (l,-m). Bands 3 and 2 share one set: { c0 c2, c0 c2 },
-   { c1 c3, c1 - }, { - s2, - s2 }, { s1 s3, s1 - }. Lanes without meaning hold copies from the same band. */
+   { c1 c3, c1 - }, { - s2, - s2 }, { s1 s3, s1 - }. Lanes without meaning hold copies from the same band. Band 4 has
+   { c2 c4 c1 c3 } and { s2 s4 s1 s3 } for even, where all lanes turn, and { c0 - - - } for odd_cos. */
 typedef struct prt__classes { prt__quad even_cos, odd_cos, even_sin, odd_sin; } prt__classes;
 PRT__INLINE void prt__swap_yz_3(prt__classes *v);
 PRT__INLINE void prt__swap_yz_4(prt__classes *v);
@@ -3863,8 +3863,9 @@ PRT__INLINE void prt__swap_yz_5(prt__classes *v);
 PRT__INLINE void prt__swap_yz_6(prt__classes *v);
 PRT__INLINE void prt__swap_yz_7(prt__classes *v);
 
-/* Cosines and sines of the multiples of an angle, in the lanes of the classes of bands 2 and 3, and of those above. */
-typedef struct prt__turn { prt__classes low, high; } prt__turn;
+/* Cosines and sines of the multiples of an angle, in the lanes of the classes of bands 2 and 3, of band 4 { 2 4 1 3 }, and
+   of those above. */
+typedef struct prt__turn { prt__classes low, high; prt__quad cos_4, sin_4; } prt__turn;
 
 PRT__INLINE void prt__turn_classes(prt__classes *v, const prt__classes *t) {
     prt__quad even = v->even_cos, odd = v->odd_cos;
@@ -3874,29 +3875,38 @@ PRT__INLINE void prt__turn_classes(prt__classes *v, const prt__classes *t) {
     v->odd_sin = v->odd_sin * t->odd_cos + odd * t->odd_sin;
 }
 
-/* From the phasors of the angle, twice and four times the angle: { 0 2 4 6 } is { 0 2 0 2 } + { 0 0 4 4 }. */
-PRT__INLINE prt__turn prt__multiples(prt_real c1, prt_real s1, prt_real c2, prt_real s2, prt_real c4, prt_real s4) {
-    prt__quad c = { 1, c2, 1, c2 }, s = { 0, s2, 0, s2 }, up_c = { 1, 1, c4, c4 }, up_s = { 0, 0, s4, s4 };
+/* From the phasors of the angle, twice and four times the angle: { 0 2 4 6 } is { 0 2 0 2 } + { 0 0 4 4 }, and 6 is of no
+   use to 6 bands. */
+PRT__INLINE prt__turn prt__multiples(int bands, prt_real c1, prt_real s1, prt_real c2, prt_real s2, prt_real c4,
+                                     prt_real s4) {
+    prt__quad c = { 1, c2, c4, c4 }, s = { 0, s2, s4, s4 };
     prt__turn t;
-    t.low.even_cos = c;
-    t.low.even_sin = s;
-    t.low.odd_cos = c * c1 - s * s1;
-    t.low.odd_sin = s * c1 + c * s1;
-    t.high.even_cos = c * up_c - s * up_s;
-    t.high.even_sin = s * up_c + c * up_s;
-    t.high.odd_cos = t.high.even_cos * c1 - t.high.even_sin * s1;
-    t.high.odd_sin = t.high.even_sin * c1 + t.high.even_cos * s1;
+    t.low.even_cos = PRT__QUAD_SHUFFLE(c, c, 0, 1, 0, 1);
+    t.low.even_sin = PRT__QUAD_SHUFFLE(s, s, 0, 1, 0, 1);
+    if (bands > 6) {
+        prt__quad up_c = { 1, 1, c4, c4 }, up_s = { 0, 0, s4, s4 };
+        c = t.low.even_cos * up_c - t.low.even_sin * up_s;
+        s = t.low.even_sin * up_c + t.low.even_cos * up_s;
+    }
+    t.high.even_cos = c;
+    t.high.even_sin = s;
+    t.high.odd_cos = c * c1 - s * s1;
+    t.high.odd_sin = s * c1 + c * s1;
+    t.low.odd_cos = PRT__QUAD_SHUFFLE(t.high.odd_cos, t.high.odd_cos, 0, 1, 0, 1);
+    t.low.odd_sin = PRT__QUAD_SHUFFLE(t.high.odd_sin, t.high.odd_sin, 0, 1, 0, 1);
+    t.cos_4 = PRT__QUAD_SHUFFLE(c, t.high.odd_cos, 1, 2, 4, 5);
+    t.sin_4 = PRT__QUAD_SHUFFLE(s, t.high.odd_sin, 1, 2, 4, 5);
     return t;
 }
 
 /* A small turn many times over has small b, or small a + g: 1 - 2 sin^2 is rounded once then, and a is still in double. */
-PRT__INLINE prt__turn prt__multiples_of_b(prt_real c1, prt_real s1) {
+PRT__INLINE prt__turn prt__multiples_of_b(int bands, prt_real c1, prt_real s1) {
     prt_real c2 = 1 - 2 * s1 * s1, s2 = 2 * s1 * c1;
-    return prt__multiples(c1, s1, c2, s2, 1 - 2 * s2 * s2, 2 * s2 * c2);
+    return prt__multiples(bands, c1, s1, c2, s2, 1 - 2 * s2 * s2, 2 * s2 * c2);
 }
-PRT__INLINE prt__turn prt__multiples_of_a(double c1, double s1) {
+PRT__INLINE prt__turn prt__multiples_of_a(int bands, double c1, double s1) {
     double c2 = c1 * c1 - s1 * s1, s2 = 2 * s1 * c1, c4 = c2 * c2 - s2 * s2, s4 = 2 * s2 * c2;
-    return prt__multiples((prt_real)c1, (prt_real)s1, (prt_real)c2, (prt_real)s2, (prt_real)c4, (prt_real)s4);
+    return prt__multiples(bands, (prt_real)c1, (prt_real)s1, (prt_real)c2, (prt_real)s2, (prt_real)c4, (prt_real)s4);
 }
 
 /* Bands 2 and 3: f[4 ... 15] = s2 s1 c0 c1 | c2, s3 s2 s1 | c0 c1 c2 c3. */
@@ -3923,17 +3933,36 @@ PRT__INLINE void prt__zyz_bands_2_3(const prt__turn *a, const prt__turn *b, cons
     prt__quad_store(out + 12, PRT__QUAD_SHUFFLE(v.even_cos, v.odd_cos, 0, 4, 1, 5));
 }
 
-/* A band from 4 to 7, f and out at its m = 0. Loads stay within the band: the second of each pair overlaps the first. */
+PRT__INLINE void prt__turn_4(prt__classes *v, const prt__turn *t) {
+    prt__quad c = v->even_cos;
+    v->even_cos = c * t->cos_4 - v->even_sin * t->sin_4;
+    v->even_sin = v->even_sin * t->cos_4 + c * t->sin_4;
+}
+
+/* f[16 ... 24] = s4 s3 s2 s1 | c0 | c1 c2 c3 c4. */
+PRT__INLINE void prt__zyz_band_4(const prt__turn *a, const prt__turn *b, const prt__turn *g, const prt_real *f,
+                                 prt_real *out) {
+    prt__quad s = prt__quad_load(f + 16), zero = prt__quad_load(f + 20), c = prt__quad_load(f + 21);
+    prt__classes v;
+    v.even_cos = PRT__QUAD_SHUFFLE(c, c, 1, 3, 0, 2);
+    v.even_sin = PRT__QUAD_SHUFFLE(s, s, 2, 0, 3, 1);
+    v.odd_cos = zero;
+    prt__turn_4(&v, g);
+    prt__swap_yz_4(&v);
+    prt__turn_4(&v, b);
+    prt__swap_yz_4(&v);
+    prt__turn_4(&v, a);
+    prt__quad_store(out + 16, PRT__QUAD_SHUFFLE(v.even_sin, v.even_sin, 1, 3, 0, 2));
+    out[20] = v.odd_cos[0];
+    prt__quad_store(out + 21, PRT__QUAD_SHUFFLE(v.even_cos, v.even_cos, 2, 0, 3, 1));
+}
+
+/* A band from 5 to 7, f and out at its m = 0. Loads stay within the band: the second of each pair overlaps the first. */
 PRT__INLINE prt__classes prt__load_classes(int l, const prt_real *f) {
     prt__quad cos_low = prt__quad_load(f), cos_high = prt__quad_load(f + l - 3);
     prt__quad sin_low = prt__quad_load(f - 4), sin_high = prt__quad_load(f - l);
     prt__classes v;
-    if (l == 4) {
-        v.even_cos = PRT__QUAD_SHUFFLE(cos_low, cos_high, 0, 2, 7, 7);
-        v.odd_cos = PRT__QUAD_SHUFFLE(cos_low, cos_low, 1, 3, 3, 3);
-        v.even_sin = PRT__QUAD_SHUFFLE(sin_low, sin_low, 2, 2, 0, 0);
-        v.odd_sin = PRT__QUAD_SHUFFLE(sin_low, sin_low, 3, 1, 1, 1);
-    } else if (l == 5) {
+    if (l == 5) {
         v.even_cos = PRT__QUAD_SHUFFLE(cos_low, cos_high, 0, 2, 6, 6);
         v.odd_cos = PRT__QUAD_SHUFFLE(cos_low, cos_high, 1, 3, 7, 7);
         v.even_sin = PRT__QUAD_SHUFFLE(sin_low, sin_low, 2, 2, 0, 0);
@@ -3957,7 +3986,8 @@ PRT__INLINE void prt__store_classes(int l, const prt__classes *v, prt_real *out)
     prt__quad_store(out, PRT__QUAD_SHUFFLE(v->even_cos, v->odd_cos, 0, 4, 1, 5));
     prt__quad_store(out - 4, PRT__QUAD_SHUFFLE(t, t, 0, 2, 1, 3));
     out[4] = v->even_cos[2];
-    if (l > 4) { out[5] = v->odd_cos[2]; out[-5] = v->odd_sin[2]; }
+    out[5] = v->odd_cos[2];
+    out[-5] = v->odd_sin[2];
     if (l > 5) { out[6] = v->even_cos[3]; out[-6] = v->even_sin[3]; }
     if (l > 6) { out[7] = v->odd_cos[3]; out[-7] = v->odd_sin[3]; }
 }
@@ -3973,7 +4003,7 @@ PRT__INLINE void prt__store_classes(int l, const prt__classes *v, prt_real *out)
         prt__turn_classes(&v, &a->high); \
         prt__store_classes(l, &v, out + PRT_SH_INDEX(l, 0)); \
     }
-PRT__ZYZ_BAND(4) PRT__ZYZ_BAND(5) PRT__ZYZ_BAND(6) PRT__ZYZ_BAND(7)
+PRT__ZYZ_BAND(5) PRT__ZYZ_BAND(6) PRT__ZYZ_BAND(7)
 #undef PRT__ZYZ_BAND
 
 /* The columns of R, rows 0 1 2 2 in the lanes. */
@@ -4022,7 +4052,7 @@ PRT__INLINE int prt__axes_ok(const prt__axes *c) {
 
 /* Bands 0 and 1: R (x y z) in the order y, z, x. */
 PRT__INLINE void prt__rotate_band_1(const prt__axes *c, const prt_real *f, prt_real *out) {
-    prt__quad all = prt__quad_load(f), v = c->x * all[3] + c->y * all[1] + c->z * all[2];
+    prt__quad all = prt__quad_load(f), v = c->x * f[3] + c->y * f[1] + c->z * f[2];
     v = PRT__QUAD_SHUFFLE(v, v, 0, 1, 2, 0);
     prt__quad_store(out, PRT__QUAD_SHUFFLE(all, v, 0, 5, 6, 7));
 }
@@ -4185,9 +4215,9 @@ PRT__INLINE void prt__zyz_bands(int bands, const prt_real *r, const prt_real *f,
     prt__angles e;
     prt__turn a, b, g;
     prt__euler(r, &e);
-    g = prt__multiples(e.cg, e.sg, e.c2g, e.s2g, e.c2g * e.c2g - e.s2g * e.s2g, 2 * e.s2g * e.c2g);
-    b = prt__multiples_of_b(e.cb, -e.sb);
-    a = prt__multiples_of_a(e.ca, e.sa);
+    g = prt__multiples(bands, e.cg, e.sg, e.c2g, e.s2g, e.c2g * e.c2g - e.s2g * e.s2g, 2 * e.s2g * e.c2g);
+    b = prt__multiples_of_b(bands, e.cb, -e.sb);
+    a = prt__multiples_of_a(bands, e.ca, e.sa);
     prt__zyz_bands_2_3(&a, &b, &g, f, out);
     prt__zyz_band_4(&a, &b, &g, f, out);
     prt__zyz_band_5(&a, &b, &g, f, out);
@@ -18428,42 +18458,38 @@ PRT__INLINE void prt__swap_yz_3(prt__classes *v) {
 PRT__INLINE void prt__swap_yz_4(prt__classes *v) {
 #ifdef PRT_DOUBLE
     static const prt_real c[][4] = {
-        { 0.375, 0.5, 0.125, 0 },
-        { 0.559016994374947424102, -0.661437827766147647625, 0.739509972887452005321, 0 },
-        { 0.739509972887452005321, 0.559016994374947424102, -0.661437827766147647625, 0 },
-        { -0.3535533905932737622, 0.3535533905932737622, 0, 0 },
-        { -0.935414346693485346396, -0.935414346693485346396, 0, 0 },
-        { 0, -0.3535533905932737622, 0.3535533905932737622, 0 },
-        { 0, -0.935414346693485346396, -0.935414346693485346396, 0 },
-        { -0.75, 0.75, 0, 0 },
-        { -0.661437827766147647625, -0.661437827766147647625, 0, 0 }
+        { 0.5, 0.125, -0.3535533905932737622, 0.3535533905932737622 },
+        { -0.661437827766147647625, -0.661437827766147647625, -0.935414346693485346396, -0.935414346693485346396 },
+        { 0.559016994374947424102, 0.739509972887452005321, 0, 0 },
+        { 0.375, 0, 0, 0 },
+        { 0.559016994374947424102, 0, 0, 0 },
+        { 0.739509972887452005321, 0, 0, 0 },
+        { -0.3535533905932737622, 0.3535533905932737622, -0.75, 0.75 },
+        { -0.935414346693485346396, -0.935414346693485346396, -0.661437827766147647625, -0.661437827766147647625 }
     };
 #else
     static const prt_real c[][4] = {
-        { 0.375f, 0.5f, 0.125f, 0 },
-        { 0.559017003f, -0.661437809f, 0.73951f, 0 },
-        { 0.73951f, 0.559017003f, -0.661437809f, 0 },
-        { -0.353553385f, 0.353553385f, 0, 0 },
-        { -0.935414374f, -0.935414374f, 0, 0 },
-        { 0, -0.353553385f, 0.353553385f, 0 },
-        { 0, -0.935414374f, -0.935414374f, 0 },
-        { -0.75f, 0.75f, 0, 0 },
-        { -0.661437809f, -0.661437809f, 0, 0 }
+        { 0.5f, 0.125f, -0.353553385f, 0.353553385f },
+        { -0.661437809f, -0.661437809f, -0.935414374f, -0.935414374f },
+        { 0.559017003f, 0.73951f, 0, 0 },
+        { 0.375f, 0, 0, 0 },
+        { 0.559017003f, 0, 0, 0 },
+        { 0.73951f, 0, 0, 0 },
+        { -0.353553385f, 0.353553385f, -0.75f, 0.75f },
+        { -0.935414374f, -0.935414374f, -0.661437809f, -0.661437809f }
     };
 #endif
     prt__quad even_cos = v->even_cos;
     prt__quad odd_cos = v->odd_cos;
     prt__quad even_sin = v->even_sin;
-    prt__quad odd_sin = v->odd_sin;
-    v->even_cos = prt__quad_load(c[0]) * even_cos;
-    v->even_cos += prt__quad_load(c[1]) * PRT__QUAD_SHUFFLE(even_cos, even_cos, 1, 2, 0, 0);
-    v->even_cos += prt__quad_load(c[2]) * PRT__QUAD_SHUFFLE(even_cos, even_cos, 2, 0, 1, 1);
-    v->odd_cos = prt__quad_load(c[3]) * PRT__QUAD_SHUFFLE(even_sin, even_sin, 1, 2, 2, 2);
-    v->odd_cos += prt__quad_load(c[4]) * PRT__QUAD_SHUFFLE(even_sin, even_sin, 2, 1, 1, 1);
-    v->even_sin = prt__quad_load(c[5]) * PRT__QUAD_SHUFFLE(odd_cos, odd_cos, 0, 0, 1, 1);
-    v->even_sin += prt__quad_load(c[6]) * PRT__QUAD_SHUFFLE(odd_cos, odd_cos, 1, 1, 0, 0);
-    v->odd_sin = prt__quad_load(c[7]) * odd_sin;
-    v->odd_sin += prt__quad_load(c[8]) * PRT__QUAD_SHUFFLE(odd_sin, odd_sin, 1, 0, 0, 0);
+    v->even_cos = prt__quad_load(c[0]) * PRT__QUAD_SHUFFLE(even_cos, even_sin, 0, 1, 4, 5);
+    v->even_cos += prt__quad_load(c[1]) * PRT__QUAD_SHUFFLE(even_cos, even_sin, 1, 0, 5, 4);
+    v->even_cos += prt__quad_load(c[2]) * PRT__QUAD_SHUFFLE(odd_cos, odd_cos, 0, 0, 0, 0);
+    v->odd_cos = prt__quad_load(c[3]) * odd_cos;
+    v->odd_cos += prt__quad_load(c[4]) * even_cos;
+    v->odd_cos += prt__quad_load(c[5]) * PRT__QUAD_SHUFFLE(even_cos, even_cos, 1, 1, 1, 1);
+    v->even_sin = prt__quad_load(c[6]) * PRT__QUAD_SHUFFLE(even_cos, even_sin, 2, 3, 6, 7);
+    v->even_sin += prt__quad_load(c[7]) * PRT__QUAD_SHUFFLE(even_cos, even_sin, 3, 2, 7, 6);
 }
 
 /* y and z swapped in band 5 */

@@ -379,7 +379,7 @@ kernel *describe_rotation_from_quaternion(int bands) {
 
    Cosines and sines of even and odd order make four classes of at most four coefficients up to band 7, and the swap
    takes a class to a class: a small matrix, written as a sum of shuffled vectors times constant ones. Bands 2 and 3
-   share one set of vectors. A term names its vectors and the lane of them that each lane of the result takes (4 to 7:
+   share one set of vectors, and band 4, whose four turning pairs fill one vector each, mixes even and odd. A term names its vectors and the lane of them that each lane of the result takes (4 to 7:
    of the second); the constants follow from that and from the matrices, and it is checked that nothing is left out. */
 
 enum { EVEN_COS, ODD_COS, EVEN_SIN, ODD_SIN, CLASSES };
@@ -401,13 +401,13 @@ static const swap_form forms[] = {
         { ODD_COS, ODD_COS, EVEN_SIN, { 0, 1, 7, 7 } }, { ODD_COS, ODD_COS, EVEN_SIN, { 1, 0, 7, 7 } },
         { EVEN_SIN, EVEN_SIN, ODD_COS, { 1, 1, 6, 6 } },
         { ODD_SIN, EVEN_COS, ODD_SIN, { 0, 1, 6, 6 } }, { ODD_SIN, EVEN_COS, ODD_SIN, { 1, 0, 6, 6 } }, END } },
-    { 4, 4, { { { 4, 0 }, { 4, 2 }, { 4, 4 }, { 0, 0 } }, { { 4, 1 }, { 4, 3 }, { 0, 0 }, { 0, 0 } },
-              { { 0, 0 }, { 4, -2 }, { 4, -4 }, { 0, 0 } }, { { 4, -1 }, { 4, -3 }, { 0, 0 }, { 0, 0 } } },
-      { { EVEN_COS, EVEN_COS, EVEN_COS, { 0, 1, 2, 3 } }, { EVEN_COS, EVEN_COS, EVEN_COS, { 1, 2, 0, 0 } },
-        { EVEN_COS, EVEN_COS, EVEN_COS, { 2, 0, 1, 1 } },
-        { ODD_COS, EVEN_SIN, EVEN_SIN, { 1, 2, 2, 2 } }, { ODD_COS, EVEN_SIN, EVEN_SIN, { 2, 1, 1, 1 } },
-        { EVEN_SIN, ODD_COS, ODD_COS, { 0, 0, 1, 1 } }, { EVEN_SIN, ODD_COS, ODD_COS, { 1, 1, 0, 0 } },
-        { ODD_SIN, ODD_SIN, ODD_SIN, { 0, 1, 2, 3 } }, { ODD_SIN, ODD_SIN, ODD_SIN, { 1, 0, 0, 0 } }, END } },
+    { 4, 4, { { { 4, 2 }, { 4, 4 }, { 4, 1 }, { 4, 3 } }, { { 4, 0 }, { 0, 0 }, { 0, 0 }, { 0, 0 } },
+              { { 4, -2 }, { 4, -4 }, { 4, -1 }, { 4, -3 } }, { { 0, 0 }, { 0, 0 }, { 0, 0 }, { 0, 0 } } },
+      { { EVEN_COS, EVEN_COS, EVEN_SIN, { 0, 1, 4, 5 } }, { EVEN_COS, EVEN_COS, EVEN_SIN, { 1, 0, 5, 4 } },
+        { EVEN_COS, ODD_COS, ODD_COS, { 0, 0, 0, 0 } },
+        { ODD_COS, ODD_COS, ODD_COS, { 0, 1, 2, 3 } }, { ODD_COS, EVEN_COS, EVEN_COS, { 0, 1, 2, 3 } },
+        { ODD_COS, EVEN_COS, EVEN_COS, { 1, 1, 1, 1 } },
+        { EVEN_SIN, EVEN_COS, EVEN_SIN, { 2, 3, 6, 7 } }, { EVEN_SIN, EVEN_COS, EVEN_SIN, { 3, 2, 7, 6 } }, END } },
     { 5, 5, { { { 5, 0 }, { 5, 2 }, { 5, 4 }, { 0, 0 } }, { { 5, 1 }, { 5, 3 }, { 5, 5 }, { 0, 0 } },
               { { 0, 0 }, { 5, -2 }, { 5, -4 }, { 0, 0 } }, { { 5, -1 }, { 5, -3 }, { 5, -5 }, { 0, 0 } } },
       { { EVEN_COS, ODD_SIN, ODD_SIN, { 0, 1, 2, 3 } }, { EVEN_COS, ODD_SIN, ODD_SIN, { 1, 2, 0, 0 } },
@@ -501,7 +501,7 @@ static void print_swap_constants(FILE *to, const swap_form *form, int in_float, 
 
 static void print_swap_form(FILE *to, const swap_form *form) {
     const swap_term *t;
-    int i, product[16] = { 0 };
+    int i, product[16] = { 0 }, used[CLASSES] = { 0 };
     fprintf(to, "/* y and z swapped in band%s %d", form->first_band < form->last_band ? "s" : "", form->first_band);
     if (form->first_band < form->last_band) fprintf(to, " and %d", form->last_band);
     fprintf(to, " */\nPRT__INLINE void prt__swap_yz_%d(prt__classes *v) {\n#ifdef PRT_DOUBLE\n", form->last_band);
@@ -509,7 +509,9 @@ static void print_swap_form(FILE *to, const swap_form *form) {
     fprintf(to, "#else\n");
     print_swap_constants(to, form, 1, product);
     fprintf(to, "#endif\n");
-    for (i = 0; i < CLASSES; i++) fprintf(to, "    prt__quad %s = v->%s;\n", class_name[i], class_name[i]);
+    for (t = form->terms; t->lane[0] >= 0; t++) used[t->from] = used[t->second] = 1;
+    for (i = 0; i < CLASSES; i++)
+        if (used[i]) fprintf(to, "    prt__quad %s = v->%s;\n", class_name[i], class_name[i]);
     for (t = form->terms; t->lane[0] >= 0; t++) {
         int row = product[t - form->terms], first = t == form->terms || t[-1].to != t->to;
         fprintf(to, "    v->%s %s ", class_name[t->to], first ? "=" : "+=");
