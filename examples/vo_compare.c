@@ -96,6 +96,7 @@ static int bake_stage(const study *d, stage *s, int with_sh, int full, why *w) {
     s->baked.bias = (prt_real)1e-4;
     s->baked.shining = 1;
     s->baked.with_sh = with_sh;
+    s->baked.with_glossy = with_sh && full;
     s->baked.with_time_of_dd = full;
     s->baked.stop = d->stop;
     return techniques_bake(&s->baked, w);

@@ -130,9 +130,10 @@ int paint(stage *s, int matte, int which, int set, technique how, picture *to, d
     return failed ? -1 : 0;
 }
 
-/* SH and CH have no answer to shining surfaces here, and without shine DS and SS add nothing. */
+/* SH and CH without matrices have no answer to shining surfaces, and without shine lobes, DS and SS add nothing. */
 int takes_part(int matte, technique how) {
-    return matte ? how != TECHNIQUE_VO && how != TECHNIQUE_VO_CAP : how < TECHNIQUE_SH3;
+    int glossy = how >= TECHNIQUE_SH3_GLOSSY;
+    return matte ? how != TECHNIQUE_VO && how != TECHNIQUE_VO_CAP && !glossy : how < TECHNIQUE_SH3 || glossy;
 }
 
 score compare(const picture *p, const picture r[PATH_HALVES], const picture *mean) {

@@ -80,8 +80,8 @@ static int write_sheet(const study *d, const char *file, const char *title, int 
 int write_pictures(study *d, why *w) {
     static const technique all[] = { TECHNIQUE_VO_DD, TECHNIQUE_VO_DD_CAP, TECHNIQUE_SH6, TECHNIQUE_SH3,
                                      TECHNIQUE_CH6,   TECHNIQUE_CH3,       TECHNIQUE_AO,  TECHNIQUE_PHONG };
-    static const technique shining[] = { TECHNIQUE_VO, TECHNIQUE_VO_CAP, TECHNIQUE_VO_DD, TECHNIQUE_AO,
-                                         TECHNIQUE_PHONG };
+    static const technique shining[] = { TECHNIQUE_VO, TECHNIQUE_VO_CAP, TECHNIQUE_VO_DD, TECHNIQUE_SH6_GLOSSY,
+                                         TECHNIQUE_AO, TECHNIQUE_PHONG };
     sheet_row matte[3], bright[3];
     int k;
     for (k = 0; k < 3; k++) {
@@ -100,7 +100,7 @@ int write_pictures(study *d, why *w) {
     bright[2].name = "shapes\nsky as 32 lights";
     return write_sheet(d, "vo.jpg", "Vector occluders beside other techniques, diffuse scenes", 1, 3, matte, 9, all,
                        w) ||
-                   write_sheet(d, "vo-shining.jpg", "Vector occluders, shining scene", 0, 3, bright, 6, shining, w)
+                   write_sheet(d, "vo-shining.jpg", "Vector occluders, shining scene", 0, 3, bright, 7, shining, w)
                ? -1
                : 0;
 }
@@ -258,25 +258,30 @@ static prt_vo_form form_of(technique how) {
     return how == TECHNIQUE_VO_DD || how == TECHNIQUE_VO_DD_CAP ? PRT_VO_INDEXED_DIFFUSE : PRT_VO_INDEXED;
 }
 
+static int is_of_six(technique how) {
+    return how == TECHNIQUE_SH6 || how == TECHNIQUE_CH6 || how == TECHNIQUE_SH6_GLOSSY;
+}
+
 static double bytes_of(const study *d, technique how) {
     const techniques *t = &d->shapes.baked;
     double points = t->scene->mesh.point_count;
     if (how == TECHNIQUE_PHONG) return 0;
     if (how == TECHNIQUE_AO) return points * sizeof(prt_real);
     if (how >= TECHNIQUE_SH3) {
-        int bands = techniques_bands[how == TECHNIQUE_SH6 || how == TECHNIQUE_CH6];
-        return points * 3 * PRT_SH_COUNT(bands) * sizeof(prt_real);
+        int n = PRT_SH_COUNT(techniques_bands[is_of_six(how)]);
+        return points * 3 * n * (how >= TECHNIQUE_SH3_GLOSSY ? 1 + n : 1) * sizeof(prt_real);
     }
     return (double)prt_vo_size(form_of(how), t->scene->mesh.point_count, t->occluder_count, t->material_count);
 }
 
 static void bake_times(const techniques *t, technique how, double pass[2]) {
-    int six = how == TECHNIQUE_SH6 || how == TECHNIQUE_CH6;
+    int six = is_of_six(how), ch = how == TECHNIQUE_CH3 || how == TECHNIQUE_CH6;
     pass[0] = how == TECHNIQUE_PHONG ? 0 : how >= TECHNIQUE_SH3 ? t->sh_seconds[six][0] : t->ao_seconds;
     pass[1] = how <= TECHNIQUE_AO          ? 0
               : how <= TECHNIQUE_VO_DD_CAP ? t->vo_dd_seconds
               : how < TECHNIQUE_SH3        ? t->vo_seconds
-                                           : t->sh_seconds[six][1] + (how >= TECHNIQUE_CH3 ? t->ch_seconds[six] : 0);
+                                           : t->sh_seconds[six][1] + (ch ? t->ch_seconds[six] : 0);
+    if (how >= TECHNIQUE_SH3_GLOSSY) pass[1] += t->glossy_seconds[six];
 }
 
 static void write_table_of_costs(const study *d, FILE *to) {
@@ -284,7 +289,7 @@ static void write_table_of_costs(const study *d, FILE *to) {
                                                          "58 + 60, 4700, 1.03", "",
                                                          "58 + 85, 3500, 2.05", "",
                                                          "60 + 63, 5100, 2.07", "62 + 68, 2500, 8.26",
-                                                         "56 + 61, 5100, 2.07", "60 + 66, 2500, 8.26" };
+                                                         "56 + 61, 5100, 2.07", "60 + 66, 2500, 8.26", "", "" };
     const stage *s = &d->shapes;
     const double points = s->shining.mesh.point_count;
     int how;
@@ -296,7 +301,8 @@ static void write_table_of_costs(const study *d, FILE *to) {
         "*a light more* is the "
         "slope from 1 to 32 lights.\nStorage: what shading reads; a vertex sees %.2f occluders in the mean. RMSE and "
         "SSIM: one point light, "
-        "diffuse scene (for DD+DS+SS: shining).\n\n| technique | bake s | ns a vertex, 1 light | 8 lights | a light "
+        "diffuse scene (for DD+DS+SS and the glossy ones: shining).\n\n| technique | bake s | ns a vertex, 1 light | "
+        "8 lights | a light "
         "more | bytes a vertex | "
         "MiB | RMSE | SSIM | thesis: bake s, frame rate, MB |\n|---|---:|---:|---:|---:|---:|---:|---:|---:|---|\n",
         s->shining.mesh.triangle_count, s->shining.mesh.point_count, s->shining.part_count, d->o.rays,
@@ -356,7 +362,8 @@ static void write_errors(const study *d, FILE *to) {
         "vertices* is the truth at the vertices, interpolated: no technique that shades vertices can do "
         "better.\n\nDiffuse scene:\n");
     write_scores(&d->shapes, 1, AROUND, to);
-    fprintf(to, "\nShining scene (SH and CH have no transfer matrices here and do not take part):\n");
+    fprintf(to, "\nShining scene. SH takes part with transfer matrices, light to arriving radiance, and Phong's lobe "
+            "in as many bands:\n");
     write_scores(&d->shapes, 0, AROUND, to);
     fprintf(to, "\nThe environment as 32 point lights, shapes, diffuse:\n");
     write_scores(&d->shapes, 1, SKY, to);

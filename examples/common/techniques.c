@@ -11,7 +11,8 @@
 #include "vector.h"
 
 const char *const technique_names[TECHNIQUE_COUNT] = {
-    "Phong", "AO", "VO/DD", "VO/DD, cap law", "VO/DD+DS+SS", "VO/DD+DS+SS, cap law", "SH3", "SH6", "CH3", "CH6"
+    "Phong", "AO", "VO/DD", "VO/DD, cap law", "VO/DD+DS+SS", "VO/DD+DS+SS, cap law", "SH3", "SH6", "CH3", "CH6",
+    "SH3, glossy", "SH6, glossy"
 };
 
 enum { DIFFUSE = PRT_VO_NO_CAUSTIC | PRT_VO_NO_DS | PRT_VO_NO_SS };
@@ -134,6 +135,9 @@ static int allocate(techniques *t, why *w) {
         t->transfer[k] = (prt_real *)malloc(points * row);
         t->moments[k] = (prt_real *)malloc(points * row);
         if (!t->transfer[k] || !t->moments[k]) return why_set(w, "out of memory for transfer");
+        if (!t->with_glossy) continue;
+        t->matrices[k] = (prt_real *)malloc(points * row * (size_t)PRT_SH_COUNT(techniques_bands[k]));
+        if (!t->matrices[k]) return why_set(w, "out of memory for transfer matrices");
     }
     return t->points && t->matte_points && t->open && t->rows && t->first && t->occluders
                ? 0
@@ -154,6 +158,7 @@ void techniques_free(techniques *t) {
     for (k = 0; k < TECHNIQUES_SH; k++) {
         free(t->transfer[k]);
         free(t->moments[k]);
+        free(t->matrices[k]);
     }
     memset(t, 0, sizeof *t);
 }
@@ -283,6 +288,21 @@ static double make_moments(const techniques *t, int k) {
     return processor_seconds() - before;
 }
 
+/* objects: [SCENE_PARTS], filled here. */
+static prt_bounce_desc bounce_desc(const techniques *t, int bands, prt_bounce_object *objects) {
+    prt_bounce_desc desc;
+    memset(&desc, 0, sizeof desc);
+    bounce_objects_of(t->scene, objects);
+    desc.bands = bands;
+    desc.samples = t->rays;
+    desc.bias = t->bias;
+    desc.planes = 3;
+    desc.object_count = t->scene->part_count;
+    desc.objects = objects;
+    desc.tracer = &t->tracer->tracer;
+    return desc;
+}
+
 /* The second pass of transfer: what the parts that a vertex sees send on, of their own transfer without bounce; to
    transfer, three planes, with the direct one in it. */
 static int bake_bounce(const techniques *t, int bands, const prt_real *direct, prt_real *transfer, double *seconds,
@@ -291,14 +311,7 @@ static int bake_bounce(const techniques *t, int bands, const prt_real *direct, p
     prt_bounce_object objects[SCENE_PARTS];
     bounce_job job;
     memset(&job, 0, sizeof job);
-    bounce_objects_of(t->scene, objects);
-    job.desc.bands = bands;
-    job.desc.samples = t->rays;
-    job.desc.bias = t->bias;
-    job.desc.planes = 3;
-    job.desc.object_count = t->scene->part_count;
-    job.desc.objects = objects;
-    job.desc.tracer = &t->tracer->tracer;
+    job.desc = bounce_desc(t, bands, objects);
     job.point_count = t->scene->mesh.point_count;
     job.points = t->scene->mesh.points;
     job.previous = direct;
@@ -312,6 +325,26 @@ static int bake_bounce(const techniques *t, int bands, const prt_real *direct, p
     return 0;
 }
 
+/* Matrices with what other parts reflect of the light, of the transfer with its bounce. */
+typedef struct glossy { const techniques *t; prt_bounce_desc desc; int k; } glossy;
+static int glossy_range(void *user, void *own, int first, int count) {
+    const glossy *g = (const glossy *)user;
+    const mesh *m = &g->t->scene->mesh;
+    (void)own;
+    return prt_bake_glossy(&g->desc, 0, m->point_count, m->points, g->t->transfer[g->k], first, count,
+                           g->t->matrices[g->k]) != PRT_OK;
+}
+
+static int bake_glossy(techniques *t, int k, why *w) {
+    prt_bounce_object objects[SCENE_PARTS];
+    glossy g;
+    g.t = t;
+    g.desc = bounce_desc(t, techniques_bands[k], objects);
+    g.desc.previous_planes = 3;
+    g.k = k;
+    return run_job(t, "bake: transfer matrices", glossy_range, &g, &t->glossy_seconds[k], w);
+}
+
 static int bake_sh(techniques *t, int k, why *w) {
     size_t n = (size_t)PRT_SH_COUNT(techniques_bands[k]);
     prt_real *direct = (prt_real *)malloc((size_t)t->scene->mesh.point_count * n * sizeof *direct);
@@ -322,7 +355,7 @@ static int bake_sh(techniques *t, int k, why *w) {
     free(direct);
     if (failed) return -1;
     t->ch_seconds[k] = make_moments(t, k);
-    return 0;
+    return t->with_glossy ? bake_glossy(t, k, w) : 0;
 }
 
 int techniques_bake(techniques *t, why *w) {
@@ -340,7 +373,10 @@ int techniques_bake(techniques *t, why *w) {
 
 /* ---- shading ---- */
 
-static int sh_of(technique which) { return which == TECHNIQUE_SH6 || which == TECHNIQUE_CH6; }
+static int sh_of(technique which) {
+    return which == TECHNIQUE_SH6 || which == TECHNIQUE_CH6 || which == TECHNIQUE_SH6_GLOSSY;
+}
+static int is_glossy(technique which) { return which >= TECHNIQUE_SH3_GLOSSY; }
 static int is_ch(technique which) { return which == TECHNIQUE_CH3 || which == TECHNIQUE_CH6; }
 
 /* Point lights as deltas of irradiance pi c in their directions from the centre: three planes of inner products. */
@@ -361,19 +397,35 @@ static void project_lights(technique which, prt_vec3 centre, int light_count, co
     }
 }
 
-static void shade_sh(const techniques *t, technique which, prt_vec3 centre, int light_count,
+/* out += Phong's lobe: specular max(0, r.w)^shininess over pi is 2/(shininess + 1) of one of integral 1. */
+static void add_lobes(const techniques *t, int bands, const prt_real *matrix, prt_vec3 eye, const prt_real *light,
+                      prt_rgb *out) {
+    size_t n = (size_t)PRT_SH_COUNT(bands);
+    prt_real zonal[PRT_MAX_BANDS], incident[3 * MOST_COEFFICIENTS], made_for = -1;
+    int k;
+    for (k = 0; k < t->scene->mesh.point_count; k++, matrix += 3 * n * n) {
+        const prt_vo_point *p = &t->points[k];
+        prt_vec3 towards = vec_unit(vec_add(p->position, -1, eye), p->normal);
+        prt_rgb lobe = { 0, 0, 0 };
+        if (vec_dot(towards, p->normal) >= 0) continue;
+        if (p->shininess != made_for) prt_phong_zonal(bands, p->shininess, zonal);
+        made_for = p->shininess;
+        prt_shade_incident(bands, bands, 3, matrix, light, incident);
+        prt_shade_glossy(bands, incident, zonal, vec_reflect(towards, p->normal), &lobe);
+        lobe = rgb_scale(rgb_times(lobe, p->specular), 2 / ((double)p->shininess + 1));
+        out[k].r += lobe.r; out[k].g += lobe.g; out[k].b += lobe.b;
+    }
+}
+
+static void shade_sh(const techniques *t, technique which, prt_vec3 eye, prt_vec3 centre, int light_count,
                      const prt_point_light *lights, prt_rgb *out) {
-    int bands = techniques_bands[sh_of(which)], n = PRT_SH_COUNT(bands), k;
-    const prt_real *row = is_ch(which) ? t->moments[sh_of(which)] : t->transfer[sh_of(which)];
+    int bands = techniques_bands[sh_of(which)], k;
+    const prt_real *rows = is_ch(which) ? t->moments[sh_of(which)] : t->transfer[sh_of(which)];
     prt_real light[3 * MOST_COEFFICIENTS];
     project_lights(which, centre, light_count, lights, light);
-    for (k = 0; k < t->scene->mesh.point_count; k++, row += 3 * n) {
-        prt_rgb sum;
-        sum.r = prt_sh_dot(bands, row, light);
-        sum.g = prt_sh_dot(bands, row + n, light + n);
-        sum.b = prt_sh_dot(bands, row + 2 * n, light + 2 * n);
-        out[k] = rgb_times(sum, t->points[k].diffuse);
-    }
+    prt_shade_diffuse_rgb_n(bands, t->scene->mesh.point_count, rows, light, out);
+    for (k = 0; k < t->scene->mesh.point_count; k++) out[k] = rgb_times(out[k], t->points[k].diffuse);
+    if (is_glossy(which)) add_lobes(t, bands, t->matrices[sh_of(which)], eye, light, out);
 }
 
 static prt_vo_params params_of(technique which) {
@@ -408,7 +460,7 @@ static int shade_vo(const techniques *t, technique which, prt_vec3 eye, int ligh
 int techniques_shade(const techniques *t, technique which, prt_vec3 eye, prt_vec3 centre, int light_count,
                      const prt_point_light *lights, prt_rgb *out, double *seconds, why *w) {
     double before = processor_seconds();
-    if (which >= TECHNIQUE_SH3) shade_sh(t, which, centre, light_count, lights, out);
+    if (which >= TECHNIQUE_SH3) shade_sh(t, which, eye, centre, light_count, lights, out);
     else if (shade_vo(t, which, eye, light_count, lights, out, w)) return -1;
     if (seconds) *seconds = processor_seconds() - before;
     return 0;

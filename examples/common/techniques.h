@@ -17,6 +17,7 @@ typedef enum technique {
     TECHNIQUE_VO_CAP,
     TECHNIQUE_SH3, TECHNIQUE_SH6,      /* transfer with one bounce, lights as infinitely distant deltas */
     TECHNIQUE_CH3, TECHNIQUE_CH6,      /* as the thesis uses CH: inner products in the place of coefficients */
+    TECHNIQUE_SH3_GLOSSY, TECHNIQUE_SH6_GLOSSY,            /* SH, and Phong's lobe from transfer matrices */
     TECHNIQUE_COUNT
 } technique;
 
@@ -34,6 +35,7 @@ typedef struct techniques {
     int                 shining;       /* bake DS and SS too */
     unsigned            off;           /* what else not to bake: PRT_VO_NO_... */
     int                 with_sh, with_time_of_dd;          /* with_time_of_dd: bake VO/DD once more for its time */
+    int                 with_glossy;   /* matrices too: 3 bands^4 numbers a vertex */
     int                 matte;         /* shade as if nothing shone; may change between calls of techniques_shade */
     volatile sig_atomic_t *stop;
 
@@ -51,7 +53,9 @@ typedef struct techniques {
     int             material_count, material_count_diffuse;
     prt_real        *transfer[TECHNIQUES_SH], *moments[TECHNIQUES_SH];   /* [points][3][bands^2], one bounce in it */
     double          ao_seconds, vo_seconds, vo_dd_seconds;
+    prt_real        *matrices[TECHNIQUES_SH];  /* [points][3][bands^2][bands^2], of all that arrives, bounce included */
     double          sh_seconds[TECHNIQUES_SH][TECHNIQUES_PASSES], ch_seconds[TECHNIQUES_SH];
+    double          glossy_seconds[TECHNIQUES_SH];
     int             occluder_count, dropped;
 } techniques;
 
