@@ -37,6 +37,9 @@
     X(shade_diffuse, shade_diffuse, 1, 10, FORM_TEXT) \
     X(shade_diffuse_rgb, shade_diffuse_rgb, 1, 10, FORM_TEXT) \
     X(shade_diffuse_four, shade_diffuse_four, 0, 0, FORM_TEXT) \
+    X(shade_glossy, shade_glossy, 1, 10, FORM_TEXT) \
+    X(phong_zonal, phong_zonal, 1, 10, FORM_TEXT) \
+    X(local_frame, local_frame, 0, 0, FORM_TEXT) \
     X(sh_product, sh_product, 1, 6, FORM_ONE | FORM_LANES | FORM_TEXT) \
     X(sh_square, sh_square, 1, 5, FORM_ONE | FORM_TEXT) \
     X(sh_rows, sh_rows, 3, 8, FORM_NODES | FORM_BLOCK) \

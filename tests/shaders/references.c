@@ -326,6 +326,9 @@ static void vo_unfold(const double *in, double *out) {
     X(sh_dot, 0, *out = prt_sh_dot(n, in, in + n * n)) \
     X(sh_product, 0, prt_sh_product(n, in, in + n * n, out)) \
     X(sh_square, 0, prt_sh_square(n, in, out)) \
+    X(shade_glossy, 0, prt_shade_glossy(n, in, in + 3 * n * n, vec3_of(in + 3 * n * n + n), (prt_rgb *)(void *)out)) \
+    X(phong_zonal, 0, prt_phong_zonal(n, in[0], out)) \
+    X(local_frame, 0, prt_local_frame(vec3_of(in), out)) \
     X(shade_diffuse_rgb, 0, prt_shade_diffuse_rgb(n, in, in + 3 * n * n, (prt_rgb *)(void *)out)) \
     X(shade_diffuse, 0, prt_shade_diffuse(n, in, in + n * n, (prt_rgb *)(void *)out))
 
@@ -391,6 +394,7 @@ static double fill_scalar(const char *name, int item) {
     if (!strcmp(name, "half_angle")) return item % 7 == 0 ? 0 : item % 7 == 1 ? PRT__PI : item % 7 == 2 ? PRT__PI / 2 : PRT__PI * u;
     if (!strncmp(name, "radius", 6)) return item % 7 == 0 ? 0 : 2 * u;
     if (!strcmp(name, "angle")) return item % 7 == 0 ? 0 : 2 * PRT__PI * (2 * u - 1);
+    if (!strcmp(name, "exponent")) return item % 7 == 0 ? 0 : 100 * u;
     if (!strcmp(name, "shininess")) return item % 7 == 0 ? 0 : 20 * u;
     if (!strcmp(name, "strength")) return item % 7 == 0 ? 0 : item % 7 == 1 ? 1 : item % 7 == 2 ? 2 : 2 * u;
     if (!strcmp(name, "gloss")) return 1 + 15 * u;
