@@ -82,7 +82,7 @@ docs-shaders:
 	@cmake --build $(BUILD) -j$(JOBS) --target shader_tables
 
 docs:
-	@for page in docs-bench bounces vo fiv advise portability docs-shaders; do $(MAKE) $$page || exit 1; done
+	@for page in docs-bench bounces vo fiv advise stability portability docs-shaders; do $(MAKE) $$page || exit 1; done
 
 gen gen-check icount-update:
 	@$(without_tests)

@@ -26,6 +26,7 @@ static const char usage[] =
     "  --by bytes|time    what is cheap: bytes a vertex, or time a vertex [bytes]\n"
     "  --check N          vertices at which rays are traced and errors measured [512]\n"
     "  --rays N           most rays a vertex that a bake may take, 64, 256, 1024 or 4096 are tried [4096]\n"
+    "  --lights N         the light is the environment cut into N point lights, 1 ... 64 [the environment itself]\n"
     "  --floor            put the mesh on a round floor\n"
     "  --z-up             the file's up is +z [+y]\n"
     "  --seed N           another choice of vertices and rays [0]\n"
@@ -42,8 +43,8 @@ static const char usage[] =
     "what is advised, at other vertices with other rays. Cpherical harmonics are not tried: they span what spherical\n"
     "harmonics of as many bands span, at the same cost.\n";
 
-const char *const method_names[METHOD_COUNT] = { "normal only", "ambient occlusion", "transfer", "vector occluders",
-                                                 "moving occluder" };
+const char *const method_names[METHOD_COUNT] = { "normal only", "ambient occlusion", "transfer",
+                                                 "vector occluders" };
 const char *const stored_names[STORED_COUNT] = { "nothing", "float", "half", "16 bits", "8 bits" };
 const int stored_bits[STORED_COUNT] = { 0, 32, 16, 16, 8 };
 static const char *const window_names[] = { "none", "Hann", "Lanczos", "positive" };
@@ -86,7 +87,7 @@ static int parse_text(const char *word, const char *next, options *o, int *known
 static int parse_numbers(const char *word, const char *next, options *o, int *known, why *w) {
     struct { const char *name; int low, high, *value; } numbers[] = {
         { "--check", 16, 65536, &o->check }, { "--rays", 64, 4096, &o->rays },
-        { "--threads", 1, 256, &o->threads }
+        { "--threads", 1, 256, &o->threads }, { "--lights", 1, MOST_LIGHTS, &o->lights }
     };
     struct { const char *name; int *value; } switches[] = { { "--floor", &o->floor }, { "--z-up", &o->z_up },
                                                             { "--all", &o->all },     { "--rows", &o->rows },
@@ -194,17 +195,30 @@ static int cheaper_in_time(const void *a, const void *b) { return by_cost((const
 /* ---- the report ---- */
 
 static void describe(const trial *t, char *text, size_t size) {
-    char rays[32] = "", as[32] = "";
+    char bands[48] = "", rays[32] = "", as[32] = "";
     if (t->rays) snprintf(rays, sizeof rays, ", %d rays", t->rays);
+    if (t->method == METHOD_VO) {
+        snprintf(text, size, "%s, the strongest %d of %d%s, %s law", method_names[t->method], t->kept, t->groups, rays,
+                 t->law == PRT_VO_CAP ? "cap" : "sine");
+        return;
+    }
+    if (t->bands)
+        snprintf(bands, sizeof bands, ", %d band%s, window %s", t->bands, t->bands > 1 ? "s" : "",
+                 window_names[t->window]);
     if (t->stored) snprintf(as, sizeof as, ", %s", stored_names[t->stored]);
-    snprintf(text, size, "%s, %d band%s%s, window %s%s", method_names[t->method], t->bands, t->bands > 1 ? "s" : "",
-             rays, window_names[t->window], as);
+    snprintf(text, size, "%s%s%s%s", method_names[t->method], bands, rays, as);
 }
 
 static void print_row(const trial *t) {
-    printf("%-18s %5d %5d  %-9s %-7s %6.0f %7.1f  %7.2f +- %4.2f", method_names[t->method], t->bands, t->rays,
-           window_names[t->window], stored_names[t->stored], t->bytes, t->ns, 100 * trial_error(t),
-           100 * trial_uncertainty(t));
+    char settings[48];
+    if (t->method == METHOD_VO)
+        snprintf(settings, sizeof settings, "%d of %d, %d rays, %s law", t->kept, t->groups, t->rays,
+                 t->law == PRT_VO_CAP ? "cap" : "sine");
+    else
+        snprintf(settings, sizeof settings, "%5d %5d  %-9s %-7s", t->bands, t->rays, window_names[t->window],
+                 stored_names[t->stored]);
+    printf("%-18s %-30s %6.0f %7.1f  %7.2f +- %4.2f", method_names[t->method], settings, t->bytes, t->ns,
+           100 * trial_error(t), 100 * trial_uncertainty(t));
     if (t->predicted >= 0) printf("   %7.2f", 100 * t->predicted);
     printf("\n");
 }
@@ -239,7 +253,7 @@ static void print_table_row(double error, const trial *t, const trial *again) {
 }
 
 /* The cheapest trial that meets the error here, and elsewhere with other rays. 0; NOTHING_MEETS; -1 and w. */
-static int advise_one(advisor *a, double error, int (*verify)(advisor *, trial *, why *), why *w) {
+static int advise_one(advisor *a, double error, why *w) {
     const trial *best = NULL;
     double failed = HUGE_VAL;                              /* least error here of what has failed elsewhere */
     int k, tried = 0;
@@ -249,7 +263,7 @@ static int advise_one(advisor *a, double error, int (*verify)(advisor *, trial *
         char text[200];
         if (!best || t->square < best->square) best = t;
         if (!meets(t, error) || !(trial_error(t) < 0.95 * failed)) continue;
-        if (verify(a, &again, w)) return -1;
+        if (verify_elsewhere(a, &again, w)) return -1;
         tried++;
         describe(t, text, sizeof text);
         if (a->o.rows && again.square <= error * error) print_table_row(error, t, &again);
@@ -268,13 +282,13 @@ static int advise_one(advisor *a, double error, int (*verify)(advisor *, trial *
     return NOTHING_MEETS;
 }
 
-int print_advice(advisor *a, int (*verify)(advisor *, trial *, why *), why *w) {
+int print_advice(advisor *a, why *w) {
     int e, status = 0;
     qsort(a->trials, (size_t)a->trial_count, sizeof *a->trials, a->o.by_time ? cheaper_in_time : cheaper_in_bytes);
     print_trials(a);
     printf("\n");
     for (e = 0; e < a->o.error_count && !interrupted; e++) {
-        int one = advise_one(a, a->o.errors[e], verify, w);
+        int one = advise_one(a, a->o.errors[e], w);
         if (one < 0) return interrupted ? status : -1;
         if (one) status = one;
     }
@@ -287,13 +301,16 @@ int write_csv(const advisor *a, why *w) {
     replacement file;
     int k;
     if (replacement_open(a->o.csv, &file, w)) return -1;
-    fprintf(file.file, "method,bands,rays,window,stored,bytes,ns,error,standard_error,foretold\n");
+    fprintf(file.file, "method,bands,rays,window,stored,bytes,ns,error,standard_error,foretold,groups,kept,law\n");
     for (k = 0; k < a->trial_count; k++) {
         const trial *t = &a->trials[k];
         fprintf(file.file, "%s,%d,%d,%s,%s,%g,%g,%g,%g,", method_names[t->method], t->bands, t->rays,
                 window_names[t->window], stored_names[t->stored], t->bytes, t->ns, trial_error(t),
                 trial_uncertainty(t));
-        fprintf(file.file, t->predicted >= 0 ? "%g\n" : "\n", t->predicted);
+        if (t->predicted >= 0) fprintf(file.file, "%g", t->predicted);
+        if (t->method == METHOD_VO)
+            fprintf(file.file, ",%d,%d,%s\n", t->groups, t->kept, t->law == PRT_VO_CAP ? "cap" : "sine");
+        else fprintf(file.file, ",,,\n");
     }
     return replacement_commit(&file, w);
 }
@@ -359,8 +376,8 @@ static int load(advisor *a, why *w) {
 static int run(advisor *a, why *w) {
     int status, failed = 0;
     if (load(a, w)) return -1;
-    if (advise_environment(a, w)) return -1;
-    status = print_advice(a, verify_environment, w);
+    if (advise_scene(a, w)) return -1;
+    status = print_advice(a, w);
     if (a->o.csv) failed |= write_csv(a, w);
     if (a->o.plot && !failed) failed |= draw_plot(a, w);
     return failed || status < 0 ? -1 : status;
@@ -386,6 +403,7 @@ int main(int count, char **words) {
         embree_tracer_destroy(&a.tracer);
         mesh_free(&a.mesh);
         environment_free(&a.environment);
+        free(a.lights);
     }
     if (status < 0) fprintf(stderr, "advise: %s\n", w.line);
     if (interrupted) {

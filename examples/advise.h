@@ -7,12 +7,12 @@
 #include "mesh.h"
 #include "program.h"
 
-enum { MOST_ERRORS = 8, MOST_BANDS = 16, LIGHT_BANDS = 20, MOST_TRIALS = 2048, HALVES = 2 };
+enum { MOST_ERRORS = 8, MOST_BANDS = 16, LIGHT_BANDS = 20, MOST_TRIALS = 2048, HALVES = 2, MOST_LIGHTS = 64 };
 
 typedef struct options {
-    const char *mesh, *environment, *moving, *plot, *csv;
-    double     errors[MOST_ERRORS], moving_size;
-    int        error_count, check, rays, threads, lights, floor, z_up, transmissive, by_time, all, rows, help;
+    const char *mesh, *environment, *plot, *csv;
+    double     errors[MOST_ERRORS];
+    int        error_count, check, rays, threads, lights, floor, z_up, by_time, all, rows, help;
     uint64_t   seed;
 } options;
 
@@ -21,7 +21,6 @@ typedef enum method {
     METHOD_AO,                         /* that times ambient occlusion */
     METHOD_SH,                         /* transfer vectors */
     METHOD_VO,                         /* vector occluders, of point lights */
-    METHOD_FIV,                        /* irradiance vectors of a moving occluder beside transfer vectors */
     METHOD_COUNT
 } method;
 extern const char *const method_names[METHOD_COUNT];
@@ -37,10 +36,8 @@ typedef struct trial {
     int        bands, rays;            /* rays a vertex in the bake; 0: none */
     prt_window window;                 /* of the light; width = bands */
     stored     stored;
-    int        groups, kept;           /* vector occluders: groups of faces, occluders kept a vertex */
-    int        grid[3];                /* irradiance vectors: theta, phi, distances */
+    int        groups, kept, law;      /* vector occluders: groups of faces, occluders kept a vertex, prt_vo_law */
     double     bytes, ns;              /* a vertex */
-    double     kilobytes;              /* beside the vertices: tables */
     double     square, square_error;   /* mean square error and its standard error */
     double     predicted;              /* error foretold by >>measure, or -1 */
 } trial;
@@ -70,7 +67,6 @@ typedef struct advisor {
     checked     first, second;         /* vertices to choose by, and others to verify on */
     trial       trials[MOST_TRIALS];
     int         trial_count;
-    double      traced;                /* rays */
 } advisor;
 
 static const prt_real advise_bias = (prt_real)1e-4;
@@ -89,21 +85,25 @@ void advisor_keep(advisor *a, const trial *t);
 int  checked_choose(advisor *a, int count, uint64_t seed, const char *what, checked *c, why *w);
 void checked_free(checked *c);
 
-/* Environment lighting: every method, all its settings, into a->trials; prints what it measures. */
-int  advise_environment(advisor *a, why *w);
+/* Every method, all its settings, into a->trials; prints what it measures. */
+int  advise_scene(advisor *a, why *w);
 /* The trial once more with other rays, at a->second. 0, or -1 and w. */
-int  verify_environment(advisor *a, trial *t, why *w);
+int  verify_elsewhere(advisor *a, trial *t, why *w);
 
-/* Point lights (vector occluders among the methods). */
-int  advise_lights(advisor *a, why *w);
-int  verify_lights(advisor *a, trial *t, why *w);
+/* Point lights: the environment cut into o.lights of them; their exit radiance without and with shadows; vector
+   occluders as trials. */
+int  lights_create(advisor *a, why *w);
+void lights_shade(const advisor *a, int count, const prt_point *points, prt_rgb *out);
+int  lights_trace(const advisor *a, const prt_point *p, double sum[3]);
+int  try_occluders(advisor *a, const checked *c, why *w);
+int  verify_occluders(advisor *a, trial *t, why *w);
 
 /* Seconds that `work` takes, the least of several goes, each long enough to be measured. */
 double time_of(void (*work)(void *user), void *user);
 
 /* Report. */
 void print_trials(const advisor *a);
-int  print_advice(advisor *a, int (*verify)(advisor *, trial *, why *), why *w);
+int  print_advice(advisor *a, why *w);
 int  write_csv(const advisor *a, why *w);
 int  draw_plot(const advisor *a, why *w);
 

@@ -47,6 +47,7 @@ bad '--error wants a number'                    planes.obj map.pfm --error
 bad '--by wants bytes or time'                  planes.obj map.pfm --by money
 bad '--check 1: must be a whole number'         planes.obj map.pfm --check 1
 bad '--rays 63: must be'                        planes.obj map.pfm --rays 63
+bad '--lights 65: must be'                      planes.obj map.pfm --lights 65
 bad '--threads x: must be'                      planes.obj map.pfm --threads x
 bad '--csv wants a file'                        planes.obj map.pfm --csv
 bad '--wrong: no such option'                   planes.obj map.pfm --wrong
@@ -66,6 +67,11 @@ awk -F, '$1 == "transfer" && $2 >= 4 && $2 <= 10 && $3 == 256 && $4 == "none" &&
 timeout 60 "$program" planes.obj map.pfm --check 64 --rays 64 --error 0.00001 >stdout 2>stderr
 [ $? = 3 ] || fail "exit code where nothing keeps the error"
 grep -q 'nothing that was tried; the least error was' stdout || fail "says that nothing keeps the error"
+# Point lights: vector occluders are tried, too.
+timeout 60 "$program" planes.obj map.pfm --lights 3 --check 64 --rays 64 --error 1 --csv lights.csv >stdout 2>stderr
+[ $? = 0 ] || { fail "the run with lights"; tail -3 stderr; }
+[ "$(grep -c '^vector occluders,' lights.csv)" -ge 20 ] || fail "vector occluders were not tried"
+grep -qwi 'nan\|inf' stdout lights.csv && fail "a figure of the run with lights is not finite"
 if command -v gnuplot >/dev/null; then
     timeout 60 "$program" planes.obj map.pfm --check 16 --rays 64 --error 1 --plot plot.svg >stdout 2>stderr || fail "plot"
     grep -q '</svg>' plot.svg || fail "no plot"

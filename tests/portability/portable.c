@@ -238,6 +238,142 @@ static void ch(void) {
     prt_ch_rotate(8, r, f, out);
     for (i = 0; i < 64; i++) put(out[i] / 8);
 }
+static void ch_product(void) {
+    prt_real f[25], g[25], out[25];
+    coefficients(25, f);
+    coefficients(25, g);
+    prt_ch_product(5, f, g, out);
+    for (int i = 0; i < 25; i++) put(out[i] / 25);
+}
+static void triples(void) {
+    for (int l = 0; l < 8; l++)
+        for (int m = -l; m <= l; m++) put((prt_real)prt_sh_triple(l, m, 4, m < 0 ? -2 : 2, 6, m < 0 ? -m - 2 : m + 2));
+}
+
+/* Three numbers up to `most`, one after the other: the order of arguments is the compiler's. */
+static prt_vec3 place(double most) {
+    double x = (double)fraction() * most, y = (double)fraction() * most, z = (double)fraction() * most;
+    return vec3(x, y, z);
+}
+static prt_rgb colour(void) {
+    prt_rgb c;
+    c.r = (1 + fraction()) / 2;
+    c.g = (1 + fraction()) / 2;
+    c.b = (1 + fraction()) / 2;
+    return c;
+}
+
+/* Vectors of 5 x 8 x 3 places, 1 at most, as the table of three occluders over 24 receivers. */
+enum { FIV_PLACES = 5 * 8 * 3, RECEIVERS = 24 };
+static prt_fiv fiv_samples[FIV_PLACES];
+static prt_fiv_table fiv_table(void) {
+    static const prt_real rho[3] = { (prt_real)1.25, 2, 4 };
+    prt_fiv_table t;
+    memset(&t, 0, sizeof t);
+    for (int i = 0; i < FIV_PLACES; i++) {
+        fiv_samples[i].r = place(1);
+        fiv_samples[i].g = place(1);
+        fiv_samples[i].b = place(1);
+    }
+    t.theta_count = 5;
+    t.phi_count = 8;
+    t.rho_count = 3;
+    t.rho = rho;
+    t.radius = 1;
+    t.samples = fiv_samples;
+    return t;
+}
+static void fiv_lookup(void) {
+    prt_fiv_table t = fiv_table();
+    prt_fiv v;
+    for (int i = 0; i < 64; i++) {
+        prt_fiv_lookup(&t, place(4), &v);
+        put_all(9, &v.r.x);
+    }
+}
+static void fiv_shade(void) {
+    prt_fiv_table t = fiv_table();
+    prt_fiv_occluder o[3];
+    prt_vec3 positions[RECEIVERS], normals[RECEIVERS];
+    prt_rgb totals[RECEIVERS], out[RECEIVERS];
+    for (int i = 0; i < 3; i++) { o[i].table = &t; o[i].position = place(4); }
+    for (int i = 0; i < RECEIVERS; i++) { positions[i] = place(4); normals[i] = direction(); totals[i] = colour(); }
+    prt_fiv_shade_n(RECEIVERS, totals, positions, normals, 3, o, 0, out);
+    put_all(3 * RECEIVERS, &out[0].r);
+    for (int i = 0; i < RECEIVERS; i++) {
+        prt_fiv_shade(totals[i], positions[i], normals[i], 3, o, PRT_FIV_PAPER_PARTIAL, out);
+        put_all(3, &out[0].r);
+    }
+}
+static prt_vo_occluder a_vo_occluder(void) {
+    prt_vo_occluder o;
+    memset(&o, 0, sizeof o);
+    o.position = place(4);
+    o.occlusion = direction();
+    o.caustic = direction();
+    o.transmissive = colour();
+    o.diffuse_normal = place(0.25);
+    o.specular_normal = place(0.25);
+    o.diffuse = colour();
+    o.specular = colour();
+    o.form_factor = (1 + fraction()) / 4;
+    o.caustic_factor = (1 + fraction()) / 8;
+    return o;
+}
+static void vo_shade(void) {
+    prt_vo_occluder o[3];
+    prt_point_light lights[2];
+    prt_vo_point points[RECEIVERS];
+    prt_vo_params params;
+    prt_rgb out[RECEIVERS];
+    int first[RECEIVERS + 1];
+    memset(&params, 0, sizeof params);
+    memset(points, 0, sizeof points);
+    for (int i = 0; i < 3; i++) o[i] = a_vo_occluder();
+    for (int i = 0; i < 2; i++) { lights[i].position = place(4); lights[i].color = colour(); }
+    for (int i = 0; i < RECEIVERS; i++) {
+        points[i].position = place(4);
+        points[i].normal = direction();
+        points[i].diffuse = colour();
+        points[i].specular = colour();
+        points[i].shininess = 4;
+        prt_vo_shade(&params, &points[i], vec3(2, 3, 5), 3, o, 2, lights, out);
+        for (int c = 0; c < 3; c++) put((&out[0].r)[c] / 16);
+    }
+    for (int i = 0; i <= RECEIVERS; i++) first[i] = i % 4 == 3 ? 3 : i % 4;
+    for (int i = 1; i <= RECEIVERS; i++) if (first[i] < first[i - 1]) first[i] = first[i - 1];
+    params.law = PRT_VO_CAP;
+    prt_vo_shade_n(&params, RECEIVERS, points, vec3(2, 3, 5), first, o, 2, lights, out);
+    for (int i = 0; i < RECEIVERS; i++) for (int c = 0; c < 3; c++) put((&out[i].r)[c] / 16);
+}
+static void packed(void) {
+    static prt_real transfer[40 * 16], low[16], step[16];
+    static uint16_t data[40 * 16];
+    prt_real light[48];
+    prt_packed_transfer p;
+    prt_rgb out[40];
+    coefficients(40 * 16, transfer);
+    coefficients(48, light);
+    prt_transfer_pack(4, PRT_STORAGE_HALF, 40, transfer, data, low, step, &p);
+    prt_shade_packed_n(&p, 0, 40, light, out);
+    for (int i = 0; i < 40; i++) for (int c = 0; c < 3; c++) put((&out[i].r)[c] / 8);
+}
+static void measures(void) {
+    prt_real transfer[16 * 16], light[48], shares[5];
+    double energy[4], light_energy[4], rms = 0;
+    coefficients(16 * 16, transfer);
+    coefficients(48, light);
+    coefficients(5, shares);
+    prt_measure_energy(4, 16, transfer, energy);
+    prt_measure_energy(4, 3, light, light_energy);
+    for (int n = 0; n <= 4; n++) {
+        prt_measure_truncation(4, n, PRT_WINDOW_HANN, 16, transfer, light, &rms);
+        put((prt_real)rms);
+        prt_measure_truncation_turned(4, n, PRT_WINDOW_NONE, energy, light_energy, &rms);
+        put((prt_real)rms);
+    }
+    put((prt_real)prt_measure_entropy(5, shares));
+}
 static void shading(void) {
     static prt_real transfer[40 * 36], light[3 * 36];
     prt_rgb out[40];
@@ -300,7 +436,14 @@ static const struct operation { const char *name; void (*run)(void); double prom
     { "mask, 6 bands, per n^2",               masks,        { 3e-7, 1e-15 } },
     { "exp, log, 4 bands",                    exponential,  { 2e-5, 4e-14 } },
     { "ch: eval, from and to SH, rotate",     ch,           { 2e-6, 4e-15 } },
+    { "ch_product, 5 bands, per n^2",         ch_product,   { 3e-7, 1e-15 } },
+    { "triple",                               triples,      { 6e-8, 2e-16 } },
     { "shade_diffuse_n, 6 bands, eighth",     shading,      { 1e-6, 2e-15 } },
+    { "shade_packed_n, halves, 4 bands, eighth", packed,    { 1e-6, 2e-15 } },
+    { "fiv_lookup",                           fiv_lookup,   { 1.2e-5, 2.3e-14 } },
+    { "fiv_shade, fiv_shade_n, 3 occluders",  fiv_shade,    { 3.6e-5, 7e-14 } },
+    { "vo_shade, vo_shade_n, 2 lights, 16th", vo_shade,     { 1e-5, 2e-14 } },
+    { "energies, truncation, entropy",        measures,     { 3e-7, 2e-15 } },
     { "sample sets, directions",              samples,      { 3e-7, 1e-15 } },
     { "mesh normals, unshadowed bake",        bake,         { 1e-6, 2e-15 } },
 };

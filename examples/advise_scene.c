@@ -1,5 +1,5 @@
-/* advise, light from an environment map: measures light, transfer and visibility, and tries irradiance of the normal,
-   ambient occlusion and transfer vectors against ray-traced truth. */
+/* advise, the ways to light a scene: measures light, transfer and visibility, and tries irradiance of the normal, ambient
+   occlusion and transfer vectors against ray-traced truth. */
 #define _POSIX_C_SOURCE 200809L
 #include "advise.h"
 
@@ -53,6 +53,7 @@ static int trace_half(const advisor *a, const checked *c, int k, int half, truth
     uint64_t seed = c->seed * 8 + (uint64_t)half, index = (uint64_t)c->vertex[k];
     double *sum = c->truth.half[half][k];
     int i, above = 0;
+    if (a->lights) return lights_trace(a, p, sum);         /* exact, both times */
     prt_sample_directions(TRUTH_RAYS, seed, index, p->normal, 0, TRUTH_RAYS, s->cosine);
     if (trace(a, p, TRUTH_RAYS, s->cosine, s)) return -1;
     sum[0] = sum[1] = sum[2] = 0;
@@ -128,7 +129,7 @@ int checked_choose(advisor *a, int count, uint64_t seed, const char *what, check
     p.threads = a->o.threads;
     p.what = what;
     p.unit = "rays";
-    p.unit_per_item = HALVES * 2 * TRUTH_RAYS;
+    p.unit_per_item = HALVES * (a->lights ? a->o.lights : 2 * TRUTH_RAYS);
     p.stop = &interrupted;
     p.begin = begin_truth;
     p.work = trace_vertices;
@@ -200,6 +201,7 @@ static void occlude(int count, const prt_real *open, prt_rgb *colors) {
 }
 
 typedef struct shading {               /* one way to shade some vertices, as timed and as judged */
+    const advisor   *a;
     const trial     *t;
     int             count;
     const prt_point *points;
@@ -216,7 +218,8 @@ static void shade(void *user) {
         else prt_shade_diffuse_n(s->t->bands, s->count, s->rows, s->light, s->out);
         return;
     }
-    shade_normals(s->t->bands, s->count, s->points, s->light, s->out);
+    if (s->a->lights) lights_shade(s->a, s->count, s->points, s->out);
+    else shade_normals(s->t->bands, s->count, s->points, s->light, s->out);
     if (s->t->method == METHOD_AO) occlude(s->count, s->open, s->out);
 }
 
@@ -233,6 +236,7 @@ static int pack(shading *s, why *w) {
 static int shading_create(const advisor *a, const trial *t, int count, const prt_point *points, const prt_real *all,
                           shading *s, why *w) {
     int k, c;
+    s->a = a;
     s->t = t;
     s->data = NULL;
     s->count = count;
@@ -241,8 +245,8 @@ static int shading_create(const advisor *a, const trial *t, int count, const prt
     s->open = (prt_real *)malloc((size_t)count * sizeof *s->open);
     s->out = (prt_rgb *)malloc((size_t)count * sizeof *s->out);
     if (!s->rows || !s->open || !s->out) return why_set(w, "out of memory");
-    windowed_light(a, t->bands, t->window, s->light);
-    if (t->method != METHOD_SH)
+    if (t->bands > 0) windowed_light(a, t->bands, t->window, s->light);
+    if (t->method != METHOD_SH && !a->lights)
         for (c = 0; c < 3; c++)
             prt_sh_irradiance(t->bands, s->light + c * PRT_SH_COUNT(t->bands), s->light + c * PRT_SH_COUNT(t->bands));
     if (t->method == METHOD_AO)
@@ -318,6 +322,11 @@ static double rest(const double *energy, double total, int from) {
     return total > 0 ? total : 0;
 }
 
+static void print_visibility(const prt_visibility *v) {
+    printf("visibility: %.1f %% open; %.3f bits a ray that only directions tell, %.3f that the vertex tells\n",
+           100 * v->open, v->entropy, v->information);
+}
+
 static void print_measurements(const advisor *a, const checked *c, const prt_real *transfer) {
     double light[LIGHT_BANDS], points[LIGHT_BANDS], total = map_energy(&a->environment.map), all = 0, one;
     prt_visibility v;
@@ -329,8 +338,12 @@ static void print_measurements(const advisor *a, const checked *c, const prt_rea
     printf("%-34s", "bands");
     for (l = 1; l <= PRINTED; l++) printf(" %5d", l);
     printf("\n");
-    print_shares("energy of the light, %", light, total);
+    if (!a->lights) print_shares("energy of the light, %", light, total);
     print_shares("energy of the transfer, %", points, all);
+    if (a->lights) {
+        print_visibility(&v);
+        return;
+    }
     printf("%-34s", "error that leaving out the rest");
     for (l = 1; l <= PRINTED; l++) {
         prt_measure_truncation(LIGHT_BANDS, l, PRT_WINDOW_NONE, c->count, transfer, a->light, &one);
@@ -343,8 +356,7 @@ static void print_measurements(const advisor *a, const checked *c, const prt_rea
     }
     printf("\nlight beyond %d bands: %.1f %% of its energy\n", PRINTED,
            total > 0 ? 100 * rest(light, total, PRINTED) / total : 0);
-    printf("visibility: %.1f %% open; %.3f bits a ray that only directions tell, %.3f that the vertex tells\n",
-           100 * v.open, v.entropy, v.information);
+    print_visibility(&v);
 }
 
 /* ---- all trials ---- */
@@ -389,7 +401,7 @@ static int try_settings(advisor *a, const checked *c, prt_real *transfer[LADDER]
             t = trial_of(m, bands, as, ladder[step], (prt_window)window);
             t.ns = ns;
             if (judge(a, c, transfer[step][0], &t, w)) return -1;
-            if (m == METHOD_SH)
+            if (m == METHOD_SH && !a->lights)
                 t.predicted = foretell(a, c, &t, transfer[steps - 1][0], transfer[step][0], transfer[step][1]);
             advisor_keep(a, &t);
         }
@@ -400,8 +412,9 @@ static int try_all(advisor *a, const checked *c, prt_real *transfer[LADDER][HALV
     int as, k;
     for (k = 0; k < BAND_COUNTS && !interrupted; k++) {
         int bands = band_counts[k];
-        if (try_settings(a, c, transfer, steps, METHOD_NORMAL, bands, STORED_NOTHING, w) ||
-            try_settings(a, c, transfer, steps, METHOD_AO, bands, STORED_8, w))
+        if ((!a->lights || bands == 1) &&                  /* no bands where lights are summed one by one */
+            (try_settings(a, c, transfer, steps, METHOD_NORMAL, a->lights ? 0 : bands, STORED_NOTHING, w) ||
+             try_settings(a, c, transfer, steps, METHOD_AO, a->lights ? 0 : bands, STORED_8, w)))
             return -1;
         for (as = STORED_FLOAT; as <= STORED_8; as++)
             if (try_settings(a, c, transfer, steps, METHOD_SH, bands, (stored)as, w)) return -1;
@@ -409,14 +422,19 @@ static int try_all(advisor *a, const checked *c, prt_real *transfer[LADDER][HALV
     return 0;
 }
 
-int advise_environment(advisor *a, why *w) {
+static int set_light(advisor *a, why *w) {
+    prt_result r;
+    if (a->o.lights) return lights_create(a, w);
+    r = prt_sh_project_equirect_rgb(LIGHT_BANDS, a->environment.map.width, a->environment.map.height,
+                                    a->environment.map.rgb, a->light);
+    return r == PRT_OK ? 0 : why_set(w, "%s: %s", a->o.environment, prt_result_string(r));
+}
+
+int advise_scene(advisor *a, why *w) {
     prt_real *transfer[LADDER][HALVES] = { { NULL } };
     int steps = 0, step, half, failed = 0, done = 0;
-    prt_result r = prt_sh_project_equirect_rgb(LIGHT_BANDS, a->environment.map.width, a->environment.map.height,
-                                               a->environment.map.rgb, a->light);
-    if (r != PRT_OK) return why_set(w, "%s: %s", a->o.environment, prt_result_string(r));
+    if (set_light(a, w)) return -1;
     if (checked_choose(a, a->o.check, 2 * a->o.seed + 1, "advise: truth", &a->first, w)) return -1;
-    a->traced += (double)a->first.count * HALVES * 2 * TRUTH_RAYS;
     while (steps < LADDER && ladder[steps] <= a->o.rays) steps++;
     for (step = 0; step < steps && !failed; step++) {
         for (half = 0; half < HALVES && !failed; half++) {
@@ -426,25 +444,25 @@ int advise_environment(advisor *a, why *w) {
             failed = transfer[step][half] ? bake(a, &a->first, ladder[step], 100 + 2 * a->o.seed + (uint64_t)half, what,
                                                  transfer[step][half], w)
                                           : why_set(w, "out of memory");
-            a->traced += (double)a->first.count * ladder[step];
         }
         done += !failed;
     }
     if (failed && interrupted && done > 0) failed = 0;     /* what is there can be compared */
     if (!failed) {
         print_measurements(a, &a->first, transfer[done - 1][0]);
-        failed = try_all(a, &a->first, transfer, done, w);
+        failed = try_all(a, &a->first, transfer, done, w) || (a->o.lights && try_occluders(a, &a->first, w)) ? -1 : 0;
     }
     for (step = 0; step < LADDER; step++) for (half = 0; half < HALVES; half++) free(transfer[step][half]);
     return failed;
 }
 
-int verify_environment(advisor *a, trial *t, why *w) {
+int verify_elsewhere(advisor *a, trial *t, why *w) {
     prt_real *all;
     int failed;
     if (a->second.count == 0 &&
         checked_choose(a, a->o.check, 2 * a->o.seed + 2, "advise: truth elsewhere", &a->second, w))
         return -1;
+    if (t->method == METHOD_VO) return verify_occluders(a, t, w);
     all = (prt_real *)calloc((size_t)a->second.count * LIGHT_COUNT, sizeof *all);
     if (!all) return why_set(w, "out of memory");
     failed = t->rays > 0 ? bake(a, &a->second, t->rays, 77777 + a->o.seed, "advise: bake elsewhere", all, w) : 0;
