@@ -464,16 +464,16 @@ PRTDEF prt_result prt_sh_rotate_by_soa(int bands, const prt_real *blocks, int co
    quotients of entries of R, good at the poles too, and no angle is computed. Reflections go by M(-R) = (-1)^l M(R).
    out may be f.
    Accuracy, float/double, tilts of 1e-7 from the poles included, for |f_i| <= 1: 2e-6/4e-15 to 8 bands, 3e-7/8e-16 a
-   band above. 1000 turns by 2 pi/1000 at 6 bands come back in float within 7e-5 about x, y and z, 1e-5 of which the
-   rounding of R alone makes; about other axes within 1e-4 in the mean and 4e-4 at worst, since multiples of g are
-   rounded each on its own (docs/rotation.md). a is worked out in double from g as it was rounded, and the constants
+   band above. 1000 turns by 2 pi/1000 at 6 bands come back in float within 7e-5 about x, y and z, about other axes
+   within 1.1e-4 in the mean and 4e-4 at worst, of which the rounding of R alone makes 1e-5 and 3e-5: multiples of a
+   and g are rounded each on its own (docs/rotation.md). a is worked out in double from g as it was rounded, and the constants
    of the swap are rounded so that it stays its own inverse. At 5 bands, by tensors: within 1e-4 about x, y and z,
    6e-5 in the mean and 1.4e-4 at worst about others. Cost: 9 55 122 224 358 528 738 multiplications and about 0.6
    times as many additions for 2 to 8 bands without SIMD; with it fewer, four at a time, and above 5 bands one root and
    two divisions. 0.41, 0.57, 0.64 and 0.7 times the time of DirectXMath's XMSHRotate at 3 to 6 bands (AVX-512; 0.51,
    0.6, 0.7 and 0.78 with SSE2). Above 8 bands the swap is computed on the way, in double, about 16 l^2 operations a
-   band without a root or division: 0.22, 1.5 and 41 us at 9, 16 and 64 bands (AVX-512; 0.35, 3.3 and 167 us with SSE2), a seventh of what
-   building the blocks takes. */
+   band without a root or division: 0.22, 1.5 and 41 us at 9, 16 and 64 bands (AVX-512; 0.35, 3.3 and 167 us with
+   SSE2), a seventh of what building the blocks takes. */
 PRTDEF prt_result prt_sh_rotate     (int bands, const prt_real rotation[9], const prt_real *f, prt_real *out);
 
 /* The same about z by an angle in radians (finite, else PRT_ERR_VALUE), from +x towards +y. out may be f.
@@ -3852,8 +3852,8 @@ typedef int64_t prt__quad_mask __attribute__((vector_size(32)));
 typedef int32_t prt__quad_mask __attribute__((vector_size(16)));
 #  endif
 
-/* A band in four classes: from band 5 on even_cos = { c0 c2 c4 c6 }, odd_cos = { c1 c3 c5 c7 }, even_sin = { - s2 s4 s6 },
-   odd_sin = { s1 s3 s5 s7 }, with s_m the coefficient of (l,-m). Bands 3 and 2 share one set: { c0 c2, c0 c2 },
+/* A band in four classes: from band 5 on even_cos = { c0 c2 c4 c6 }, odd_cos = { c1 c3 c5 c7 }, even_sin =
+   { - s2 s4 s6 }, odd_sin = { s1 s3 s5 s7 }, with s_m the coefficient of (l,-m). Bands 3 and 2 share one set: { c0 c2, c0 c2 },
    { c1 c3, c1 - }, { - s2, - s2 }, { s1 s3, s1 - }. Lanes without meaning hold copies from the same band. Band 4 has
    { c2 c4 c1 c3 } and { s2 s4 s1 s3 } for even, where all lanes turn, and { c0 - - - } for odd_cos. */
 typedef struct prt__classes { prt__quad even_cos, odd_cos, even_sin, odd_sin; } prt__classes;
@@ -3863,8 +3863,8 @@ PRT__INLINE void prt__swap_yz_5(prt__classes *v);
 PRT__INLINE void prt__swap_yz_6(prt__classes *v);
 PRT__INLINE void prt__swap_yz_7(prt__classes *v);
 
-/* Cosines and sines of the multiples of an angle, in the lanes of the classes of bands 2 and 3, of band 4 { 2 4 1 3 }, and
-   of those above. */
+/* Cosines and sines of the multiples of an angle, in the lanes of the classes of bands 2 and 3, of band 4 { 2 4 1 3 },
+   and of those above. */
 typedef struct prt__turn { prt__classes low, high; prt__quad cos_4, sin_4; } prt__turn;
 
 PRT__INLINE void prt__turn_classes(prt__classes *v, const prt__classes *t) {
@@ -3875,8 +3875,8 @@ PRT__INLINE void prt__turn_classes(prt__classes *v, const prt__classes *t) {
     v->odd_sin = v->odd_sin * t->odd_cos + odd * t->odd_sin;
 }
 
-/* From the phasors of the angle, twice and four times the angle: { 0 2 4 6 } is { 0 2 0 2 } + { 0 0 4 4 }, and 6 is of no
-   use to 6 bands. */
+/* From the phasors of the angle, twice and four times the angle: { 0 2 4 6 } is { 0 2 0 2 } + { 0 0 4 4 }, and 6 is of
+   no use to 6 bands. */
 PRT__INLINE prt__turn prt__multiples(int bands, prt_real c1, prt_real s1, prt_real c2, prt_real s2, prt_real c4,
                                      prt_real s4) {
     prt__quad c = { 1, c2, c4, c4 }, s = { 0, s2, s4, s4 };
@@ -3957,7 +3957,7 @@ PRT__INLINE void prt__zyz_band_4(const prt__turn *a, const prt__turn *b, const p
     prt__quad_store(out + 21, PRT__QUAD_SHUFFLE(v.even_cos, v.even_cos, 2, 0, 3, 1));
 }
 
-/* A band from 5 to 7, f and out at its m = 0. Loads stay within the band: the second of each pair overlaps the first. */
+/* A band from 5 to 7, f and out at its m = 0. Loads stay within it: the second of each pair overlaps the first. */
 PRT__INLINE prt__classes prt__load_classes(int l, const prt_real *f) {
     prt__quad cos_low = prt__quad_load(f), cos_high = prt__quad_load(f + l - 3);
     prt__quad sin_low = prt__quad_load(f - 4), sin_high = prt__quad_load(f - l);

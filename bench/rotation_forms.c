@@ -142,23 +142,21 @@ int JOIN(rotation_points_, ROTATION_ID)(rotation_truth *turned, rotation_truth *
 
 /* ---- a thousand turns, and memory ---- */
 
-void JOIN(rotation_turns_, ROTATION_ID)(const double *r, double *by_one_shot, double *by_blocks) {
-    enum { BANDS = 6, N = BANDS * BANDS };
-    prt_real rotation[9], blocks[BANDS * (4 * N - 1) / 3], f[N], g[N], h[N];
-    int i, k, trial;
-    for (i = 0; i < 9; i++) rotation[i] = (prt_real)r[i];
-    prt_sh_rotation(BANDS, rotation, blocks);
-    *by_one_shot = *by_blocks = 0;
-    for (trial = 0; trial < ROTATION_TRIALS; trial++) {
-        for (i = 0; i < N; i++) f[i] = g[i] = h[i] = (prt_real)sin(1 + i + 50 * trial);
-        for (k = 0; k < 1000; k++) {
-            prt_sh_rotate(BANDS, rotation, g, g);
-            prt_sh_rotate_by(BANDS, blocks, h, h);
-        }
-        for (i = 0; i < N; i++) {
-            keep_larger(by_one_shot, fabs((double)g[i] - (double)f[i]));
-            keep_larger(by_blocks, fabs((double)h[i] - (double)f[i]));
-        }
+void JOIN(rotation_turns_, ROTATION_ID)(const double *r, int rounded, const double *f, double *one_shot,
+                                        double *blocks) {
+    prt_real rotation[9], m[TURNED_BANDS * (4 * TURNED - 1) / 3], g[TURNED], h[TURNED];
+    int i, k;
+    for (i = 0; i < 9; i++) rotation[i] = (prt_real)(rounded ? r[i] : (double)(float)r[i]);
+    prt_sh_rotation(TURNED_BANDS, rotation, m);
+    for (i = 0; rounded && i < (int)(sizeof m / sizeof *m); i++) m[i] = (prt_real)(float)m[i];
+    for (i = 0; i < TURNED; i++) g[i] = h[i] = (prt_real)(float)f[i];
+    for (k = 0; k < 1000; k++) {
+        prt_sh_rotate(TURNED_BANDS, rotation, g, g);
+        prt_sh_rotate_by(TURNED_BANDS, m, h, h);
+    }
+    for (i = 0; i < TURNED; i++) {
+        one_shot[i] = (double)g[i];
+        blocks[i] = (double)h[i];
     }
 }
 

@@ -379,8 +379,9 @@ kernel *describe_rotation_from_quaternion(int bands) {
 
    Cosines and sines of even and odd order make four classes of at most four coefficients up to band 7, and the swap
    takes a class to a class: a small matrix, written as a sum of shuffled vectors times constant ones. Bands 2 and 3
-   share one set of vectors, and band 4, whose four turning pairs fill one vector each, mixes even and odd. A term names its vectors and the lane of them that each lane of the result takes (4 to 7:
-   of the second); the constants follow from that and from the matrices, and it is checked that nothing is left out. */
+   share one set of vectors, and band 4, whose four turning pairs fill one vector each, mixes even and odd. A term names
+   its vectors and the lane of them that each lane of the result takes (4 to 7: of the second); the constants follow from
+   that and from the matrices, and it is checked that nothing is left out. */
 
 enum { EVEN_COS, ODD_COS, EVEN_SIN, ODD_SIN, CLASSES };
 static const char *const class_name[CLASSES] = { "even_cos", "odd_cos", "even_sin", "odd_sin" };
