@@ -3,10 +3,10 @@
      bench_gpu [--bands N] [--items N] [--runs N]
 
    Each kernel runs for so many items [262144] at so many bands [4]: it reads its inputs from a buffer and writes its
-   outputs to one, as a pass that shades would; what all items share there (a light, a rotation, an occluder) is read from
-   one place. The shortest of so many runs [9] counts. Takes the first device that is a GPU; where there is none but a
-   processor that stands in for one (Mesa's lavapipe), it says so. Exits with 1 and a line if there is no device, or no
-   compiler for GLSL. */
+   outputs to one, as a pass that shades would; what all items share there (a light, a rotation, an occluder) is read
+   from one place. The shortest of so many runs [9] counts. Takes the first device that is a GPU; where there is none
+   but a processor that stands in for one (Mesa's lavapipe), it says so. Exits with 1 and a line if there is no
+   device, or no compiler for GLSL. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -101,7 +101,8 @@ static int measure(const row *r, int bands, int items, int runs, double *seconds
         out = (float *)malloc(sizeof *out * (size_t)items * (size_t)w.outs);
         w.in = in;
         w.out = out;
-        bad = !in || !out ? why_set(&reason, "out of memory: fewer --items") : run_vulkan(spirv, &w, runs, seconds, &reason);
+        if (!in || !out) bad = why_set(&reason, "out of memory: fewer --items");
+        else bad = run_vulkan(spirv, &w, runs, seconds, &reason);
     }
     if (!bad && !(*seconds > 0)) bad = why_set(&reason, "%s has no clock for its queue", vulkan_name());
     free(in);

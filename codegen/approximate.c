@@ -4,7 +4,8 @@
 
 enum { MOST = 12 };
 
-/* Coefficients by power of t of the polynomial that meets f at the Chebyshev nodes of 0 ... 1, by divided differences. */
+/* Coefficients by power of t of the polynomial that meets f at the Chebyshev nodes of 0 ... 1, by divided
+   differences. */
 static void fit(xreal (*f)(xreal t), int degree, xreal *c) {
     xreal t[MOST], d[MOST];
     int i, j;

@@ -89,13 +89,14 @@ static void rehash(kernel *k) {
 
 static node intern4(kernel *k, node_op op, node a, node b, node c, node d, xreal value) {
     node_data n;
-    unsigned slot;
+    unsigned slot, slots;
     n.op = op; n.a = a; n.b = b; n.c = c; n.d = d; n.value = value; n.uses = 0;
     if (k->node_count == k->node_capacity) {
         k->nodes = (node_data *)grow(k->nodes, &k->node_capacity, sizeof *k->nodes);
         rehash(k);
     }
-    for (slot = hash_node(&n) % (unsigned)k->bucket_count; k->buckets[slot]; slot = (slot + 1) % (unsigned)k->bucket_count)
+    slots = (unsigned)k->bucket_count;
+    for (slot = hash_node(&n) % slots; k->buckets[slot]; slot = (slot + 1) % slots)
         if (same_node(&k->nodes[k->buckets[slot] - 1], &n)) return k->buckets[slot] - 1;
     k->nodes[k->node_count] = n;
     k->buckets[slot] = ++k->node_count;

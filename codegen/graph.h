@@ -22,9 +22,11 @@ typedef struct node_data {
     int uses;                                          /* by outputs and by nodes that an output needs */
 } node_data;
 
-/* A direction is three scalars x, y, z in prt.h, an array in C and one vector elsewhere; so are four values. A result is what
-   a shader's function returns, one value or a vector of three; in C it is an output array. */
-typedef enum param_kind { PARAM_SCALAR, PARAM_DIRECTION, PARAM_FOUR, PARAM_INPUT, PARAM_OUTPUT, PARAM_RESULT } param_kind;
+/* A direction is three scalars x, y, z in prt.h, an array in C and one vector elsewhere; so are four values. A
+   result is what a shader's function returns, one value or a vector of three; in C it is an output array. */
+typedef enum param_kind {
+    PARAM_SCALAR, PARAM_DIRECTION, PARAM_FOUR, PARAM_INPUT, PARAM_OUTPUT, PARAM_RESULT
+} param_kind;
 
 typedef struct param { const char *name; param_kind kind; int count; } param;   /* count: elements; 0 for a scalar */
 typedef struct output { int param, element; node value; } output;
@@ -57,7 +59,7 @@ void     kernel_stage(kernel *k, node n);              /* keeps few values alive
 void     kernel_count_uses(kernel *k);
 int      op_operands(node_op op);                      /* how many of a, b, c, d it has; 0 for constants and inputs */
 op_count kernel_operations(const kernel *k);           /* after kernel_count_uses */
-int      kernel_live_values(const kernel *k);          /* likewise: registers for it in the order in which it is printed */
+int      kernel_live_values(const kernel *k);          /* likewise: registers, in the order of the text */
 
 node k_const(kernel *k, xreal value);
 node k_scalar(kernel *k, int from);                    /* the parameter of this index */

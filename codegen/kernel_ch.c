@@ -2,6 +2,8 @@
    shape of SH's kernels with other factors: C(m,m) = Y(m,m), and the recurrence of the derivatives of T, normalised. */
 #include "kernels.h"
 
+#include <stdlib.h>
+
 /* H(l,m) = 1 + q0 (1 + q1 (1 + ...)): the norm of C's expansion into Y over that of its leading term. */
 static xreal norm_ratio(int l, int m) {
     xreal h = 1;
@@ -51,7 +53,8 @@ static void by_transpose(kernel *k, int bands, int m, int first, node *f) {    /
     }
 }
 static int last_of(int bands, int first) { return first + (bands - 1 - first) / 2 * 2; }
-static void by_inverse_transpose(kernel *k, int bands, int m, int first, node *f) {    /* a = S^-T f_SH, from the last */
+/* a = S^-T f_SH, from the last */
+static void by_inverse_transpose(kernel *k, int bands, int m, int first, node *f) {
     int l, L;
     for (L = last_of(bands, first); L >= first; L -= 2) {
         for (l = L + 2; l < bands; l += 2) AT(L) = k_sub(k, AT(L), k_scale(k, S(l, L), AT(l)));
@@ -78,7 +81,7 @@ static void by_inverse(kernel *k, int bands, int m, int first, node *f) {      /
 static void change_basis(kernel *k, int bands, change *way, node *f) {
     int m, first;
     for (m = 1 - bands; m < bands; m++)
-        for (first = m < 0 ? -m : m; first < bands && first <= (m < 0 ? -m : m) + 1; first++) way(k, bands, m, first, f);
+        for (first = abs(m); first < bands && first <= abs(m) + 1; first++) way(k, bands, m, first, f);
 }
 
 static kernel *describe_change(const char *name, const char *what, int bands, change *first, change *second) {
@@ -101,7 +104,8 @@ kernel *describe_ch_from_moments(int bands) {
                            by_inverse_transpose);
 }
 kernel *describe_ch_to_moments(int bands) {
-    return describe_change("ch_to_moments", "integrals with the basis from CH coefficients", bands, by_transpose, by_matrix);
+    return describe_change("ch_to_moments", "integrals with the basis from CH coefficients", bands, by_transpose,
+                           by_matrix);
 }
 
 /* By the rows of S^T, g as it comes: f.G g = (S^T f).(S^T g) */

@@ -1,5 +1,5 @@
-/* Kernels of the room >>fiv [Michael 2010]: everything but the loop over occluders and the reading of the table, which a
-   program may keep in textures. A fiv is nine values, the vectors of red, green and blue. */
+/* Kernels of the room >>fiv [Michael 2010]: everything but the loop over occluders and the reading of the table,
+   which a program may keep in textures. A fiv is nine values, the vectors of red, green and blue. */
 #include "kernels.h"
 
 static void vectors_param(kernel *k, const char *name, vec v[3]) {
@@ -31,8 +31,8 @@ static vec direction_or_y(kernel *k, vec to, node *distance) {
     return dir;
 }
 
-/* Texture coordinates of a place: theta/pi, phi/(2 pi) in 0 ... 1, distance. With texels at the samples, row theta_i of n
-   is at i/(n-1) and column phi_j of n at j/n. */
+/* Texture coordinates of a place: theta/pi, phi/(2 pi) in 0 ... 1, distance. With texels at the samples, row theta_i
+   of n is at i/(n-1) and column phi_j of n at j/n. */
 kernel *describe_fiv_place(int bands) {
     kernel *k = kernel_new("fiv_place", "theta/pi, phi/2pi and distance of an occluder");
     vec to = vec_param(k, "to_centre"), out;
@@ -48,7 +48,8 @@ kernel *describe_fiv_place(int bands) {
     return k;
 }
 
-/* samples[8][9]: rho slowest, then theta, then phi, as in the table; at: weights of the upper samples, theta, phi, rho */
+/* samples[8][9]: rho slowest, then theta, then phi, as in the table; at: weights of the upper samples, theta, phi,
+   rho */
 kernel *describe_fiv_blend(int bands) {
     kernel *k = kernel_new("fiv_blend", "interpolation between 8 samples of a table");
     node samples[72], out[9], one = k_const(k, 1);
@@ -137,8 +138,8 @@ kernel *describe_fiv_filled(int bands) {
 }
 
 /* Two discs of radius 2 sin(a/2), the chord apart: their squared radii, the lens over pi, and how far they differ in
-   place and radius, squared. Heron's root is four times the triangle of the centres and a crossing; there is none where one disc contains
-   the other. */
+   place and radius, squared. Heron's root is four times the triangle of the centres and a crossing; there is none
+   where one disc contains the other. */
 typedef struct lens { node disc2[2], area, differ; } lens;
 
 static lens lens_of(kernel *k, const vec to[2], const node radius[2]) {
@@ -206,7 +207,8 @@ kernel *describe_fiv_twice(int bands) {
     }
     l = lens_of(k, to, radius);
     same = k_scale(k, x_ratio(1, 1 << 30), l.disc2[0]);
-#define TWICE(c) (f = k_select(k, same, l.differ, filled[0].c, one), g = k_select(k, same, l.differ, filled[1].c, one), \
+#define TWICE(c) (f = k_select(k, same, l.differ, filled[0].c, one), \
+                  g = k_select(k, same, l.differ, filled[1].c, one), \
                   areas = k_madd(k, f, l.disc2[0], k_mul(k, g, l.disc2[1])), \
                   both = k_mul(k, k_mul(k, l.area, k_mul(k, f, g)), k_add(k, taken[0].c, taken[1].c)), \
                   both = k_select(k, zero, areas, k_div(k, both, areas), zero), \

@@ -1,11 +1,13 @@
 /* Kernels of the room >>product: products of SH functions by way of their values on circles of latitude.
 
-   On the circle at z a function is a Fourier series with W(m) = C(m) + i S(m): C(m) = sum over l of q(l,m) f(l,m), S(m) the
-   same with f(l,-m). Circles at z and -z differ in the sign of odd l-m. The product of two series, cut off at the bands, is
+   On the circle at z a function is a Fourier series with W(m) = C(m) + i S(m): C(m) = sum over l of q(l,m) f(l,m),
+   S(m) the same with f(l,-m). Circles at z and -z differ in the sign of odd l-m. The product of two series, cut off
+   at the bands, is
      H(0) = X(0) Y(0)/2 + sum of Re W(a) conj V(a),
      H(m) = X(0) V(m) + Y(0) W(m) + sum over a+b = m of W(a) V(b) + sum over a-b = m of W(a) conj V(b) + V(a) conj W(b),
-   X, Y the real W(0), V(0); and f g (l,m) = sum over all circles of q(l,m) H(m), which is exact at Gauss-Legendre nodes. The
-   factors q serve all three functions: the harmonic's part in z times the cube root of the weight, twice that for m = 0. */
+   X, Y the real W(0), V(0); and f g (l,m) = sum over all circles of q(l,m) H(m), which is exact at Gauss-Legendre
+   nodes. The factors q serve all three functions: the harmonic's part in z times the cube root of the weight, twice
+   that for m = 0. */
 #include "kernels.h"
 
 /* Rows hold a circle's series: C(m) at [2m], S(m) at [2m+1]; S(0) is not used. */

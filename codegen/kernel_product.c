@@ -246,8 +246,10 @@ static void output_product(kernel *k, int bands, const node *value) {
 kernel *describe_sh_product(int bands) {
     kernel *k = named_kernel("sh_product", "product", bands);
     node f[MAX_BANDS * MAX_BANDS], g[MAX_BANDS * MAX_BANDS], out[MAX_BANDS * MAX_BANDS];
-    int pf = kernel_param(k, "f", PARAM_INPUT, bands * bands), pg = kernel_param(k, "g", PARAM_INPUT, bands * bands), l, m;
-    for (l = 0; l < bands; l++)                                    /* in the order of their use: operands are sorted by it */
+    int pf = kernel_param(k, "f", PARAM_INPUT, bands * bands), pg = kernel_param(k, "g", PARAM_INPUT, bands * bands);
+    int l, m;
+    /* in the order of their use: operands are sorted by it */
+    for (l = 0; l < bands; l++)
         for (m = 0; m <= l; m++) {
             f[l * (l + 1) + m] = k_element(k, pf, l * (l + 1) + m);
             f[l * (l + 1) - m] = k_element(k, pf, l * (l + 1) - m);

@@ -1,5 +1,6 @@
-/* Kernels of the room >>project: lights in closed form, by the factors g_l of Funk and Hecke, f_lm = g_l Y_lm(axis), and
-   functions of a band. prt.h itself computes the factors in double; these are for languages that have float alone. */
+/* Kernels of the room >>project: lights in closed form, by the factors g_l of Funk and Hecke, f_lm = g_l Y_lm(axis),
+   and functions of a band. prt.h itself computes the factors in double; these are for languages that have float
+   alone. */
 #include "kernels.h"
 
 /* f_lm = factor_l Y_lm(a) */
@@ -28,11 +29,12 @@ static xreal sign_factor(int l) {
     return g;
 }
 
-/* Factors of a cap from sin^2 and h = 1 - cos of its half-angle, at most pi/2; of all the rest where `rest` > 0: even bands
-   change their sign, and band 0 is what remains of 4 pi. u_l are the differences of Legendre polynomials that do not cancel
-   (see prt_sh_cone). */
+/* Factors of a cap from sin^2 and h = 1 - cos of its half-angle, at most pi/2; of all the rest where `rest` > 0:
+   even bands change their sign, and band 0 is what remains of 4 pi. u_l are the differences of Legendre polynomials
+   that do not cancel (see prt_sh_cone). */
 static void cap_factors(kernel *k, int bands, node sin2, node h, node rest, node *factor) {
-    node zero = k_const(k, 0), u = k_const(k, 1), step = zero, whole = k_const(k, 2 * x_pi()), cap = k_scale(k, x_pi(), sin2);
+    node zero = k_const(k, 0), u = k_const(k, 1), step = zero, whole = k_const(k, 2 * x_pi());
+    node cap = k_scale(k, x_pi(), sin2);
     int l;
     factor[0] = k_mul(k, whole, k_select(k, zero, rest, k_sub(k, k_const(k, 2), h), h));
     for (l = 1; l < bands; l++) {
@@ -68,7 +70,8 @@ kernel *describe_sh_cone(int bands) {
 kernel *describe_sh_sphere(int bands) {
     kernel *k = named_kernel("sh_sphere", "1 where a sphere is seen", bands);
     vec to = vec_param(k, "to_centre");
-    node r = k_scalar(k, kernel_param(k, "radius", PARAM_SCALAR, 0)), zero = k_const(k, 0), one = k_const(k, 1), factor[64];
+    node r = k_scalar(k, kernel_param(k, "radius", PARAM_SCALAR, 0)), zero = k_const(k, 0), one = k_const(k, 1);
+    node factor[64];
     node d2 = k_madd(k, to.x, to.x, k_madd(k, to.y, to.y, k_mul(k, to.z, to.z))), d = k_sqrt(k, d2);
     node inside = k_sub(k, r, d);                                                  /* > 0: inside, it is everywhere */
     node over_d = k_select(k, zero, d, k_div(k, one, d), zero), s = k_mul(k, r, over_d);
@@ -109,7 +112,8 @@ kernel *describe_sh_hemisphere(int bands) {
 /* out_lm = factor_l f_lm with constant factors */
 static kernel *scaled_bands(const char *family, const char *what, int bands, const xreal *factor) {
     kernel *k = named_kernel(family, what, bands);
-    int f = kernel_param(k, "f", PARAM_INPUT, bands * bands), out = kernel_param(k, "out", PARAM_OUTPUT, bands * bands), l, i;
+    int f = kernel_param(k, "f", PARAM_INPUT, bands * bands), out = kernel_param(k, "out", PARAM_OUTPUT, bands * bands);
+    int l, i;
     for (l = 0, i = 0; l < bands; l++)
         for (; i < (l + 1) * (l + 1); i++) kernel_output(k, out, i, k_scale(k, factor[l], k_element(k, f, i)));
     return k;
@@ -122,7 +126,8 @@ kernel *describe_sh_irradiance(int bands) {
     return scaled_bands("sh_irradiance", "irradiance from radiance", bands, factor);
 }
 
-/* The polynomial of prt_sh_pack_irradiance: seven constants of four values, as engines lay them out [Sloan 2008, A10] */
+/* The polynomial of prt_sh_pack_irradiance: seven constants of four values, as engines lay them out [Sloan 2008,
+   A10] */
 kernel *describe_sh_irradiance_packed(int bands) {
     kernel *k = kernel_new("sh_irradiance_packed", "irradiance over pi from the constants of prt_sh_pack_irradiance");
     static const char *const name[7] = { "a_red", "a_green", "a_blue", "b_red", "b_green", "b_blue", "c" };
@@ -267,8 +272,9 @@ static xreal integral(const polynomial *p) {
     return sum;
 }
 
-/* The sharpest non-negative kernel of degree d = bands-1: [P_k+1(z)/(z-z*)]^2 for d = 2k, (1+z) [P^(0,1)_k+1(z)/(z-z*)]^2
-   for d = 2k+1, where (1+z) P^(0,1)_k+1 is P_k+1 + P_k+2 up to a factor; weights are its Legendre moments over the 0th. */
+/* The sharpest non-negative kernel of degree d = bands-1: [P_k+1(z)/(z-z*)]^2 for d = 2k,
+   (1+z) [P^(0,1)_k+1(z)/(z-z*)]^2 for d = 2k+1, where (1+z) P^(0,1)_k+1 is P_k+1 + P_k+2 up to a factor; weights
+   are its Legendre moments over the 0th. */
 void positive_weights(int bands, xreal *weight) {
     int d = bands - 1, k = d / 2, l, i;
     polynomial p = legendre(k + 1), kernel_of_z;

@@ -124,9 +124,10 @@ static xreal swap_entry(int l, int m, int column) {
 
 /* ---- the same in float ----
 
-   A turn swaps twice, and a thousand small turns two thousand times: what matters is that the swap of the rounded matrix
-   is still its own inverse, not that each entry is the nearest. So the entries of a band are rounded together, each to
-   one of the two floats beside it, for the least |J J - 1|. Found by turning over one entry or two at a time. */
+   A turn swaps twice, and a thousand small turns two thousand times: what matters is that the swap of the rounded
+   matrix is still its own inverse, not that each entry is the nearest. So the entries of a band are rounded
+   together, each to one of the two floats beside it, for the least |J J - 1|. Found by turning over one entry or two
+   at a time. */
 
 static float rounded[LARGEST][SIZE][SIZE];
 typedef struct entry { int row, column; float value[2]; } entry;
@@ -291,12 +292,13 @@ kernel *describe_sh_rotate(int bands) {
 
 /* ---- for languages: everything from the matrix ---- */
 
-/* As in prt.h: the last row holds the phasor of g times sin b, the upper left corner that of a + g times 1 + cos b and that
-   of a - g times 1 - cos b, of which the larger serves. Where sin b = 0, g = 0. */
+/* As in prt.h: the last row holds the phasor of g times sin b, the upper left corner that of a + g times 1 + cos b
+   and that of a - g times 1 - cos b, of which the larger serves. Where sin b = 0, g = 0. */
 void rotation_turn(kernel *k, const node r[9], node turn[6]) {
     node zero = k_const(k, 0), one = k_const(k, 1), sine = k_sqrt(k, k_madd(k, r[6], r[6], k_mul(k, r[7], r[7])));
     node side = k_select(k, r[8], zero, k_const(k, -1), one), over = k_div(k, one, k_add(k, one, k_mul(k, side, r[8])));
-    node x = k_mul(k, over, k_add(k, r[4], k_mul(k, side, r[0]))), y = k_mul(k, over, k_sub(k, r[3], k_mul(k, side, r[1])));
+    node x = k_mul(k, over, k_add(k, r[4], k_mul(k, side, r[0]))),
+        y = k_mul(k, over, k_sub(k, r[3], k_mul(k, side, r[1])));
     turn[4] = k_select(k, zero, sine, k_div(k, k_neg(k, r[6]), sine), one);
     turn[5] = k_select(k, zero, sine, k_div(k, r[7], sine), zero);
     turn[0] = k_madd(k, x, turn[4], k_mul(k, y, turn[5]));
@@ -363,7 +365,8 @@ kernel *describe_rotation_from_quaternion(int bands) {
     int i;
     (void)bands;
     input_nodes(k, "q", 4, q);
-    s = k_div(k, k_const(k, 2), k_madd(k, q[0], q[0], k_madd(k, q[1], q[1], k_madd(k, q[2], q[2], k_mul(k, q[3], q[3])))));
+    s = k_div(k, k_const(k, 2),
+              k_madd(k, q[0], q[0], k_madd(k, q[1], q[1], k_madd(k, q[2], q[2], k_mul(k, q[3], q[3])))));
     for (i = 0; i < 3; i++) {
         int j = (i + 1) % 3, h = (i + 2) % 3;
         node u = q[1 + j], v = q[1 + h];
@@ -379,9 +382,9 @@ kernel *describe_rotation_from_quaternion(int bands) {
 
    Cosines and sines of even and odd order make four classes of at most four coefficients up to band 7, and the swap
    takes a class to a class: a small matrix, written as a sum of shuffled vectors times constant ones. Bands 2 and 3
-   share one set of vectors, and band 4, whose four turning pairs fill one vector each, mixes even and odd. A term names
-   its vectors and the lane of them that each lane of the result takes (4 to 7: of the second); the constants follow from
-   that and from the matrices, and it is checked that nothing is left out. */
+   share one set of vectors, and band 4, whose four turning pairs fill one vector each, mixes even and odd. A term
+   names its vectors and the lane of them that each lane of the result takes (4 to 7: of the second); the constants
+   follow from that and from the matrices, and it is checked that nothing is left out. */
 
 enum { EVEN_COS, ODD_COS, EVEN_SIN, ODD_SIN, CLASSES };
 static const char *const class_name[CLASSES] = { "even_cos", "odd_cos", "even_sin", "odd_sin" };

@@ -12,10 +12,10 @@ static xreal sh_factor_c(int l, int m) {
 
 static const basis sh = { "sh", "SH", sh_factor_a, sh_factor_c };
 
-/* p(l,m) for l = m ... bands-1. What bounds a kernel is its products, so the bands next to the diagonal are written with
-   fewer than the recurrence needs: u = p(m+2,m) and p(m+3,m)/z are linear in z^2, p(m+4,m) is quadratic in u (in u rather
-   than in z^2 its terms cancel little: their sizes add up to 2.9 at m = 0, against 8.5). From there on the recurrence,
-   whose error does not grow as that of long polynomials does. */
+/* p(l,m) for l = m ... bands-1. What bounds a kernel is its products, so the bands next to the diagonal are written
+   with fewer than the recurrence needs: u = p(m+2,m) and p(m+3,m)/z are linear in z^2, p(m+4,m) is quadratic in u
+   (in u rather than in z^2 its terms cancel little: their sizes add up to 2.9 at m = 0, against 8.5). From there on
+   the recurrence, whose error does not grow as that of long polynomials does. */
 static void column(kernel *k, const basis *b, int bands, int m, node z, node z2, xreal sector, node *p) {
     int l;
     xreal a1 = b->a(m + 1, m), a2 = b->a(m + 2, m), a3 = b->a(m + 3, m), a4 = b->a(m + 4, m);
@@ -25,7 +25,8 @@ static void column(kernel *k, const basis *b, int bands, int m, node z, node z2,
     p[m + 1] = k_scale(k, a1 * sector, z);
     p[m + 2] = k_sub(k, k_scale(k, slope, z2), k_const(k, offset));
     if (m + 3 < bands) p[m + 3] = k_mul(k, z, k_sub(k, k_scale(k, cubic, z2), k_const(k, linear)));
-    if (m + 4 < bands) {                               /* a4 z^2 (cubic z^2 - linear) - c4 u with z^2 = (u + offset) / slope */
+    /* a4 z^2 (cubic z^2 - linear) - c4 u with z^2 = (u + offset) / slope */
+    if (m + 4 < bands) {
         xreal alpha = a4 * cubic / (slope * slope), gamma = alpha * offset * offset - a4 * linear * offset / slope;
         xreal beta = 2 * alpha * offset - a4 * linear / slope - b->c(m + 4, m);
         node u = p[m + 2];
@@ -36,8 +37,9 @@ static void column(kernel *k, const basis *b, int bands, int m, node z, node z2,
         p[l] = k_sub(k, k_scale(k, b->a(l, m), k_mul(k, z, p[l - 1])), k_scale(k, b->c(l, m), p[l - 2]));
 }
 
-/* Re and Im of (x+iy)^m, m >= 2, from the powers below: the square of power m/2 where m is even, (C-S)(C+S) and 2CS, which
-   are two products; x(C2 - 2y^2) and y(C2 + 2x^2) at m = 3, which are three; x and power m-1 else, which are four. */
+/* Re and Im of (x+iy)^m, m >= 2, from the powers below: the square of power m/2 where m is even, (C-S)(C+S) and 2CS,
+   which are two products; x(C2 - 2y^2) and y(C2 + 2x^2) at m = 3, which are three; x and power m-1 else, which are
+   four. */
 static void phasor(kernel *k, int m, node x, node y, node *re, node *im) {
     if (m == 3) {
         node y2 = k_mul(k, y, y), x2 = k_add(k, re[2], y2);
@@ -110,8 +112,8 @@ kernel *describe_eval(const basis *b, int bands) {
     return k;
 }
 
-/* sum of f_i Y_i = sum over m of Re sum_l p(l,m) f(l,m) + Im sum_l p(l,m) f(l,-m): the phasor is met once a column, and no
-   value of the basis is formed. */
+/* sum of f_i Y_i = sum over m of Re sum_l p(l,m) f(l,m) + Im sum_l p(l,m) f(l,-m): the phasor is met once a column,
+   and no value of the basis is formed. */
 kernel *describe_at(const basis *b, int bands) {
     direction d;
     kernel *k = basis_kernel(b, "at", "value", bands);
@@ -147,7 +149,8 @@ void sh_values(kernel *k, int bands, node x, node y, node z, node *values) {
     }
 }
 
-/* prt.h adds in place; a shader, whose arrays are values, gets the sum: for projecting an environment sample by sample */
+/* prt.h adds in place; a shader, whose arrays are values, gets the sum: for projecting an environment sample by
+   sample */
 kernel *describe_sh_add_sample(int bands) {
     kernel *k = named_kernel("sh_add_sample", "f + value Y(dir)", bands);
     vec dir = vec_param(k, "dir");

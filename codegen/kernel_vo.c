@@ -1,13 +1,16 @@
-/* Kernels of the room >>vo [Sherif 2013]: the terms of prt_vo_shade for one light, and one occluder; the loops, and the sum
-   that is clamped at 0, are the caller's:
-     out = emissive + sum over lights of (vo_direct times the product over occluders of vo_pass, plus the sum of vo_sent) */
+/* Kernels of the room >>vo [Sherif 2013]: the terms of prt_vo_shade for one light, and one occluder; the loops, and
+   the sum that is clamped at 0, are the caller's:
+     out = emissive + sum over lights of (vo_direct times the product over occluders of vo_pass, plus the sum of
+           vo_sent) */
 #include "kernels.h"
 
 #include <stddef.h>
 
 static vec towards(kernel *k, vec from, vec to) { return vec_direction(k, vec_sub(k, to, from), NULL); }
 
-static vec reflected(kernel *k, vec a, vec n) { return vec_sub(k, a, vec_scale(k, k_scale(k, 2, vec_dot(k, a, n)), n)); }
+static vec reflected(kernel *k, vec a, vec n) {
+    return vec_sub(k, a, vec_scale(k, k_scale(k, 2, vec_dot(k, a, n)), n));
+}
 
 static node above0(kernel *k, node v) { return k_max(k, v, k_const(k, 0)); }
 
@@ -50,8 +53,10 @@ static vec passed(kernel *k, node block, vec caustic, node factor, node strength
 kernel *describe_vo_pass(int bands) {
     kernel *k = kernel_new("vo_pass", "share of a light that one occluder lets through");
     vec position = vec_param(k, "position"), light = vec_param(k, "light"), strength = vec_param(k, "strength");
-    vec occlusion = vec_param(k, "occlusion"), caustic = vec_param(k, "caustic"), transmissive = vec_param(k, "transmissive");
-    node factor = real_param(k, "form_factor"), caustic_factor = real_param(k, "caustic_factor"), length, zero = k_const(k, 0);
+    vec occlusion = vec_param(k, "occlusion"), caustic = vec_param(k, "caustic"),
+        transmissive = vec_param(k, "transmissive");
+    node factor = real_param(k, "form_factor"), caustic_factor = real_param(k, "caustic_factor"), length,
+        zero = k_const(k, 0);
     vec l = towards(k, position, light), dir = vec_direction(k, occlusion, &length);
     node exponent = k_mul(k, strength.x, above0(k, factor)), block;
     (void)bands;
@@ -104,7 +109,8 @@ kernel *describe_vo_sent(int bands) {
     vec own_diffuse = vec_param(k, "occluder_diffuse"), own_specular = vec_param(k, "occluder_specular");
     vec weights = vec_param(k, "weights"), mirror = reflected(k, towards(k, eye, position), normal);
     node gloss = real_param(k, "gloss"), zero = k_const(k, 0), length, dd, ds, ss;
-    vec v = towards(k, position, place), l = towards(k, place, light), n = vec_direction(k, specular_normal, &length), sum;
+    vec v = towards(k, position, place), l = towards(k, place, light), n = vec_direction(k, specular_normal, &length);
+    vec sum;
     (void)bands;
     dd = k_mul(k, weights.x, above0(k, vec_dot(k, diffuse_normal, l)));
     ds = k_power(k, above0(k, vec_dot(k, reflected(k, v, n), l)), gloss);

@@ -31,7 +31,8 @@ typedef xreal factor(int l, int m);
 typedef struct basis { const char *name, *title; factor *a, *c; } basis;
 kernel *describe_eval(const basis *b, int bands);
 void sh_values(kernel *k, int bands, node x, node y, node z, node *values);        /* values[bands^2] = Y(l,m)(x,y,z) */
-kernel *named_kernel(const char *family, const char *what, int bands);             /* "family_bands": "what, bands bands" */
+/* "family_bands": "what, bands bands" */
+kernel *named_kernel(const char *family, const char *what, int bands);
 kernel *describe_at(const basis *b, int bands);
 
 /* Polynomials within 3e-11 and 5e-9 of the function (approximate.c) */

@@ -16,6 +16,8 @@ static void print_summary(FILE *to, const dialect *d, const kernel *k) {
     fprintf(to, ", %d stores%s\n", c.stores, d->comment_close);
 }
 
+#define TERNARY "%s < %s ? %s : %s"
+
 /* ---- the C of prt.h ---- */
 
 static const char axis_name[4] = { 'x', 'y', 'z', 'w' };
@@ -85,9 +87,15 @@ static void store_c(FILE *to, const param *p, int element, const char *value, in
 }
 
 const dialect dialect_header = {
-    "c", "/* ", " */", "const prt_real %s = ", "prt__min", "prt__max", "prt__sqrt", "prt__sin", "prt__cos", "prt__pow", "%s < %s ? %s : %s",
+    "c", "/* ", " */", "const prt_real %s = ", "prt__min", "prt__max", "prt__sqrt", "prt__sin", "prt__cos", "prt__pow",
+    TERNARY,
     21, "PRT__R(", ")", open_header, load_c, store_c, NULL, 0, NULL, ""
 };
+
+/* What forms in SIMD have in common, up to what opens a function */
+#define VECTOR_WORDS \
+    "c", "/* ", " */", "const prt__vec %s = ", "prt__vec_min", "prt__vec_max", "prt__vec_sqrt", "prt__vec_sin", \
+    "prt__vec_cos", "prt__vec_pow", TERNARY, 21, "PRT__R(", ")"
 
 static void open_header_lanes(FILE *to, const kernel *k, const char *name) {
     int i;
@@ -123,8 +131,7 @@ static void store_header_lanes(FILE *to, const param *p, int element, const char
 }
 
 const dialect dialect_header_lanes = {
-    "c", "/* ", " */", "const prt__vec %s = ", "prt__vec_min", "prt__vec_max", "prt__vec_sqrt", "prt__vec_sin", "prt__vec_cos",
-    "prt__vec_pow", "%s < %s ? %s : %s", 21, "PRT__R(", ")", open_header_lanes, load_header_lanes, store_header_lanes, NULL, 0, NULL, ""
+    VECTOR_WORDS, open_header_lanes, load_header_lanes, store_header_lanes, NULL, 0, NULL, ""
 };
 
 static void store_header_swept(FILE *to, const param *p, int element, const char *value, int is_constant, int number) {
@@ -134,8 +141,7 @@ static void store_header_swept(FILE *to, const param *p, int element, const char
 }
 
 static const dialect dialect_header_swept = {
-    "c", "/* ", " */", "const prt__vec %s = ", "prt__vec_min", "prt__vec_max", "prt__vec_sqrt", "prt__vec_sin", "prt__vec_cos",
-    "prt__vec_pow", "%s < %s ? %s : %s", 21, "PRT__R(", ")", NULL, load_header_lanes, store_header_swept, NULL, 0, NULL, ""
+    VECTOR_WORDS, NULL, load_header_lanes, store_header_swept, NULL, 0, NULL, ""
 };
 
 static void open_header_rows(FILE *to, const kernel *k, const char *name, const char *tail, const char *coefficients) {
@@ -149,8 +155,12 @@ static void open_header_rows(FILE *to, const kernel *k, const char *name, const 
     }
     fprintf(to, ") {\n");
 }
-static void open_header_nodes(FILE *to, const kernel *k, const char *name) { open_header_rows(to, k, name, "", "prt_real"); }
-static void open_header_block(FILE *to, const kernel *k, const char *name) { open_header_rows(to, k, name, "_v", "prt__vec"); }
+static void open_header_nodes(FILE *to, const kernel *k, const char *name) {
+    open_header_rows(to, k, name, "", "prt_real");
+}
+static void open_header_block(FILE *to, const kernel *k, const char *name) {
+    open_header_rows(to, k, name, "_v", "prt__vec");
+}
 
 static void load_header_rows(char *text, size_t size, const param *p, int element) {
     if (strcmp(p->name, "q")) load_c(text, size, p, element);
@@ -159,12 +169,10 @@ static void load_header_rows(char *text, size_t size, const param *p, int elemen
 }
 
 const dialect dialect_header_nodes = {
-    "c", "/* ", " */", "const prt__vec %s = ", "prt__vec_min", "prt__vec_max", "prt__vec_sqrt", "prt__vec_sin", "prt__vec_cos",
-    "prt__vec_pow", "%s < %s ? %s : %s", 21, "PRT__R(", ")", open_header_nodes, load_header_rows, store_c, NULL, 0, NULL, ""
+    VECTOR_WORDS, open_header_nodes, load_header_rows, store_c, NULL, 0, NULL, ""
 };
 const dialect dialect_header_block = {
-    "c", "/* ", " */", "const prt__vec %s = ", "prt__vec_min", "prt__vec_max", "prt__vec_sqrt", "prt__vec_sin", "prt__vec_cos",
-    "prt__vec_pow", "%s < %s ? %s : %s", 21, "PRT__R(", ")", open_header_block, load_header_rows, store_c, NULL, 0, NULL, ""
+    VECTOR_WORDS, open_header_block, load_header_rows, store_c, NULL, 0, NULL, ""
 };
 
 /* ---- languages to embed in other programs: c, glsl, hlsl, wgsl, metal ---- */
@@ -234,42 +242,42 @@ static void store_wgsl(FILE *to, const param *p, int element, const char *value,
     fprintf(to, "    (*%s)[%d] = %s;\n", safe_name(p->name), element, value);
 }
 
-#define TERNARY "%s < %s ? %s : %s"
 #define WGSL_SELECT "select(%4$s, %3$s, %1$s < %2$s)"
 
-/* One dialect of a shading language: what it prints before the functions, a conversion where functions are of float alone
-   (glslang's for half in HLSL), a declaration, how constants end. */
-#define DIALECT(id, language, preamble, round, signature_, declare_, select_, const_close_, store_, result3_)                 \
-    static void open_##id(FILE *to, const kernel *k, const char *name) { open_signature(to, k, name, &signature_); }   \
-    static const dialect dialect_##id = {                                                                              \
-        language, "// ", "", declare_, round "min", round "max", round "sqrt", round "sin", round "cos", round "pow",   \
-        select_, 9, "", const_close_,                                                                                  \
+/* One dialect of a shading language: what it prints before the functions, a conversion where functions are of float
+   alone (glslang's for half in HLSL), a declaration, how constants end. */
+#define DIALECT(id, language, preamble, round, signature_, declare_, select_, const_close_, store_, result3_) \
+    static void open_##id(FILE *to, const kernel *k, const char *name) { open_signature(to, k, name, &signature_); } \
+    static const dialect dialect_##id = { \
+        language, "// ", "", declare_, round "min", round "max", round "sqrt", round "sin", round "cos", round "pow", \
+        select_, 9, "", const_close_, \
         open_##id, load_shader, store_, NULL, 1, result3_, preamble };
 
 /* C's functions of float serve _Float16 too: the conversion rounds what they return. */
-#define C_DIALECT(id, real, preamble, round, const_close_)                                                             \
-    static const signature signature_##id = {                                                                          \
-        "static void %s(", "static " real " %s(", "static void %s(", ") {\n", ") {\n", ") {\n",                        \
-        real " %s", "const " real " %s[3]", "const " real " %s[4]", "const " real " %s[%d]", real " %s[%d]", 0 };                              \
-    static void open_##id(FILE *to, const kernel *k, const char *name) {                                               \
-        open_signature(to, k, name, &signature_##id);                                                                  \
-        print_unused(to, k, 0);                                                                                        \
-    }                                                                                                                  \
-    static const dialect dialect_##id = {                                                                              \
-        "c", "/* ", " */", "const " real " %s = ", round "fminf", round "fmaxf", round "sqrtf", round "sinf",          \
-        round "cosf", round "powf", TERNARY, 9, "", const_close_, open_##id, load_plain_c, store_shader, NULL, 1,      \
+#define C_DIALECT(id, real, preamble, round, const_close_) \
+    static const signature signature_##id = { \
+        "static void %s(", "static " real " %s(", "static void %s(", ") {\n", ") {\n", ") {\n", \
+        real " %s", "const " real " %s[3]", "const " real " %s[4]", "const " real " %s[%d]", real " %s[%d]", 0 }; \
+    static void open_##id(FILE *to, const kernel *k, const char *name) { \
+        open_signature(to, k, name, &signature_##id); \
+        print_unused(to, k, 0); \
+    } \
+    static const dialect dialect_##id = { \
+        "c", "/* ", " */", "const " real " %s = ", round "fminf", round "fmaxf", round "sqrtf", round "sinf", \
+        round "cosf", round "powf", TERNARY, 9, "", const_close_, open_##id, load_plain_c, store_shader, NULL, 1, \
         NULL, preamble };
 C_DIALECT(c, "float", "#include <math.h>\n", "", "f")
 C_DIALECT(c_float16, "_Float16", "#include <math.h>\n", "(_Float16)", "f16")
 
-#define GLSL_SIGNATURE(real, vec3, vec4) {                                                                          \
-    "void %s(", real " %s(", vec3 " %s(", ") {\n", ") {\n", ") {\n",                                          \
+#define GLSL_SIGNATURE(real, vec3, vec4) { \
+    "void %s(", real " %s(", vec3 " %s(", ") {\n", ") {\n", ") {\n", \
     real " %s", vec3 " %s", vec4 " %s", real " %s[%d]", "out " real " %s[%d]", 1 }
 static const signature signature_glsl = GLSL_SIGNATURE("float", "vec3", "vec4");
 static const signature signature_glsl_half = GLSL_SIGNATURE("mediump float", "mediump vec3", "mediump vec4");
 static const signature signature_glsl_float16 = GLSL_SIGNATURE("float16_t", "f16vec3", "f16vec4");
 DIALECT(glsl, "glsl", "", "", signature_glsl, "float %s = ", TERNARY, "", store_shader, "vec3(%s, %s, %s)")
-DIALECT(glsl_half, "glsl", "", "", signature_glsl_half, "mediump float %s = ", TERNARY, "", store_shader, "vec3(%s, %s, %s)")
+DIALECT(glsl_half, "glsl", "", "", signature_glsl_half, "mediump float %s = ", TERNARY, "", store_shader,
+        "vec3(%s, %s, %s)")
 DIALECT(glsl_float16, "glsl", "#extension GL_EXT_shader_explicit_arithmetic_types_float16 : require\n", "",
         signature_glsl_float16, "float16_t %s = ", TERNARY, "hf", store_shader, "f16vec3(%s, %s, %s)")
 
@@ -277,25 +285,31 @@ static const signature signature_hlsl = GLSL_SIGNATURE("float", "float3", "float
 static const signature signature_hlsl_half = GLSL_SIGNATURE("min16float", "min16float3", "min16float4");
 static const signature signature_hlsl_float16 = GLSL_SIGNATURE("half", "half3", "half4");
 DIALECT(hlsl, "hlsl", "", "", signature_hlsl, "float %s = ", TERNARY, "f", store_shader, "float3(%s, %s, %s)")
-DIALECT(hlsl_half, "hlsl", "", "", signature_hlsl_half, "min16float %s = ", TERNARY, "f", store_shader, "min16float3(%s, %s, %s)")
-DIALECT(hlsl_float16, "hlsl", "", "(half)", signature_hlsl_float16, "half %s = ", TERNARY, "h", store_shader, "half3(%s, %s, %s)")
+DIALECT(hlsl_half, "hlsl", "", "", signature_hlsl_half, "min16float %s = ", TERNARY, "f", store_shader,
+        "min16float3(%s, %s, %s)")
+DIALECT(hlsl_float16, "hlsl", "", "(half)", signature_hlsl_float16, "half %s = ", TERNARY, "h", store_shader,
+        "half3(%s, %s, %s)")
 
-#define METAL_SIGNATURE(real, vec3, vec4) {                                                                         \
+#define METAL_SIGNATURE(real, vec3, vec4) { \
     "static inline void %s(", "static inline " real " %s(", "static inline " vec3 " %s(", ") {\n", ") {\n", ") {\n", \
     real " %s", vec3 " %s", vec4 " %s", "thread const " real " *%s", "thread " real " *%s", 1 }
 #define METAL_PREAMBLE "#include <metal_stdlib>\nusing namespace metal;\n"
 static const signature signature_metal = METAL_SIGNATURE("float", "float3", "float4");
 static const signature signature_metal_half = METAL_SIGNATURE("half", "half3", "half4");
-DIALECT(metal, "metal", METAL_PREAMBLE, "", signature_metal, "const float %s = ", TERNARY, "f", store_shader, "float3(%s, %s, %s)")
-DIALECT(metal_half, "metal", METAL_PREAMBLE, "", signature_metal_half, "const half %s = ", TERNARY, "h", store_shader, "half3(%s, %s, %s)")
+DIALECT(metal, "metal", METAL_PREAMBLE, "", signature_metal, "const float %s = ", TERNARY, "f", store_shader,
+        "float3(%s, %s, %s)")
+DIALECT(metal_half, "metal", METAL_PREAMBLE, "", signature_metal_half, "const half %s = ", TERNARY, "h", store_shader,
+        "half3(%s, %s, %s)")
 
-#define WGSL_SIGNATURE(real) {                                                                                \
-    "fn %s(", "fn %s(", "fn %s(", ") {\n", ") -> " real " {\n", ") -> vec3<" real "> {\n",                    \
-    "%s: " real, "%s: vec3<" real ">", "%s: vec4<" real ">", "%s: array<" real ", %d>", "%s: ptr<function, array<" real ", %d>>", 1 }
+#define WGSL_SIGNATURE(real) { \
+    "fn %s(", "fn %s(", "fn %s(", ") {\n", ") -> " real " {\n", ") -> vec3<" real "> {\n", \
+    "%s: " real, "%s: vec3<" real ">", "%s: vec4<" real ">", "%s: array<" real ", %d>", \
+    "%s: ptr<function, array<" real ", %d>>", 1 }
 static const signature signature_wgsl = WGSL_SIGNATURE("f32");
 static const signature signature_wgsl_half = WGSL_SIGNATURE("f16");
 DIALECT(wgsl, "wgsl", "", "", signature_wgsl, "let %s: f32 = ", WGSL_SELECT, "", store_wgsl, "vec3<f32>(%s, %s, %s)")
-DIALECT(wgsl_half, "wgsl", "enable f16;\n", "", signature_wgsl_half, "let %s: f16 = ", WGSL_SELECT, "h", store_wgsl, "vec3<f16>(%s, %s, %s)")
+DIALECT(wgsl_half, "wgsl", "enable f16;\n", "", signature_wgsl_half, "let %s: f16 = ", WGSL_SELECT, "h", store_wgsl,
+        "vec3<f16>(%s, %s, %s)")
 
 const dialect *find_dialect(const char *language, precision p) {
     static const dialect *const all[][PRECISIONS] = {

@@ -11,7 +11,8 @@ typedef struct dialect {
     const char *comment_open, *comment_close;
     const char *declare;                               /* a temporary, with %s where its name stands */
     const char *min, *max, *sqrt, *sin, *cos, *pow;    /* names of functions */
-    const char *select;                                /* a < b ? c : d, as printf's arguments a, b, c, d in this order */
+    /* a < b ? c : d, as printf's arguments a, b, c, d in this order */
+    const char *select;
     int digits;                                        /* significant digits of a constant */
     const char *const_open, *const_close;              /* around a constant */
     void (*open)(FILE *to, const kernel *k, const char *name);       /* signature, up to the opening brace */
@@ -23,14 +24,15 @@ typedef struct dialect {
     const char *preamble;                              /* lines before the first function */
 } dialect;
 
-/* The forms that stand in prt.h: scalars, one item a call; prt__vec, PRT__LANES items a call; and prt__vec over arrays of
-   items, the stores in sweeps of at most eight rows: more rows whose distance is a multiple of 4096 bytes would evict
-   each other from a first-level cache of 8 to 12 ways before their lines are full.
-   Nodes and block, for kernel_nodes.c: arrays of prt__vec, but that of the factors q, which has PRT__NODES reals for each
-   entry, and, for nodes, that of the coefficients f, which are the same in all lanes. */
+/* The forms that stand in prt.h: scalars, one item a call; prt__vec, PRT__LANES items a call; and prt__vec over
+   arrays of items, the stores in sweeps of at most eight rows: more rows whose distance is a multiple of 4096 bytes
+   would evict each other from a first-level cache of 8 to 12 ways before their lines are full. Nodes and block, for
+   kernel_nodes.c: arrays of prt__vec, but that of the factors q, which has PRT__NODES reals for each entry, and, for
+   nodes, that of the coefficients f, which are the same in all lanes. */
 extern const dialect dialect_header, dialect_header_lanes, dialect_header_nodes, dialect_header_block;
 
-/* half: at least 16 bits, mediump, min16float, f16, half, _Float16; float16: 16 bits exactly, GLSL's float16_t and HLSL's half */
+/* half: at least 16 bits, mediump, min16float, f16, half, _Float16; float16: 16 bits exactly, GLSL's float16_t and
+   HLSL's half */
 typedef enum precision { PRECISION_FLOAT, PRECISION_HALF, PRECISION_FLOAT16, PRECISIONS } precision;
 
 /* The dialect of a language, c, glsl, hlsl, wgsl or metal; NULL if there is none. */

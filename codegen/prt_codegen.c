@@ -1,5 +1,5 @@
-/* prt_codegen - prints the straight-line kernels of prt.h in C, GLSL, HLSL, WGSL and Metal, and keeps the fenced blocks of
-   prt.h up to date.
+/* prt_codegen - prints the straight-line kernels of prt.h in C, GLSL, HLSL, WGSL and Metal, and keeps the fenced
+   blocks of prt.h up to date.
 
      prt_codegen --list                                  families, bands, operation counts
      prt_codegen --lang glsl --bands 4 --emit sh_eval,sh_irradiance -o prt.glsl
@@ -9,7 +9,8 @@
    --lang c|glsl|hlsl|wgsl|metal   [c]
    --emit NAME,NAME...             kernels, as --list names them; "all" for all that have the bands asked for
    --bands N | A-B                 [4]; functions of a range carry their number of bands in their names
-   --precision float|half|float16  [float] half: mediump, min16float, f16, half, _Float16, which may be wider than 16 bits;
+   --precision float|half|float16  [float] half: mediump, min16float, f16, half, _Float16, which may be wider than 16
+                                   bits;
                                    float16: float16_t in GLSL (Vulkan), half in HLSL (Shader Model 6.2,
                                    -enable-16bit-types), the others as half
    --prefix NAME                   before the names of functions [prt_]
@@ -20,7 +21,7 @@
      / * BEGIN GENERATED: prt_codegen --lang c --emit sh_eval --bands 1-10 * /
      ...
      / * END GENERATED * /
-   A fence of another language, in the source file of any program, holds the functions as a string of C.            */
+   A fence of another language, in the source file of any program, holds the functions as a string of C. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -68,7 +69,8 @@ static void print_header_forms(FILE *to, const family *f, int bands) {
 /* double prt__roots()[k] = sqrt(k), prt__inverse_roots()[k] = 1/sqrt(k) (0 at k = 0) for k < count */
 static void print_root_table(FILE *to, const char *name, const char *what, int count, int inverse) {
     int k, column = 0;
-    fprintf(to, "/* %s for k = 0 ... %d */\nPRT__STATIC const double *prt__%s(void) {\n    static const double table[%d] = {\n",
+    fprintf(to, "/* %s for k = 0 ... %d */\nPRT__STATIC const double *prt__%s(void) {\n"
+                "    static const double table[%d] = {\n",
             what, count - 1, name, count);
     for (k = 0; k < count; k++) {
         char text[64];
@@ -122,7 +124,8 @@ static int print_table(FILE *to, const request *r) {
         print_swaps(to);
         return 0;
     }
-    if (strcmp(r->table, "roots")) return fail("unknown table", r->table, "use roots, ch_steps, grids, nodes, windows or swap_yz");
+    if (strcmp(r->table, "roots"))
+        return fail("unknown table", r->table, "use roots, ch_steps, grids, nodes, windows or swap_yz");
     if (r->count < 2 || r->count > 100000) return fail("table", r->table, "give --count from 2 to 100000");
     print_root_table(to, "roots", "sqrt(k)", r->count, 0);
     print_root_table(to, "inverse_roots", "1/sqrt(k), and 0", r->count, 1);
@@ -153,7 +156,8 @@ static int print_all_functions(FILE *to, const dialect *d, const request *r) {
     char range[40];
     for (i = 0; i < family_count; i++) {
         const family *f = &families[i];
-        if (!(f->forms & FORM_TEXT) || (f->max_bands && (r->first_bands < f->min_bands || r->last_bands > f->max_bands))) continue;
+        if (!(f->forms & FORM_TEXT) ||
+            (f->max_bands && (r->first_bands < f->min_bands || r->last_bands > f->max_bands))) continue;
         banded += f->max_bands > 0;
         for (bands = r->first_bands; bands <= r->last_bands; bands++) print_function(to, d, r, f, bands);
     }
@@ -178,7 +182,8 @@ static int print_functions(FILE *to, const dialect *d, const request *r) {
     for (name = strtok(names, ","); name; name = strtok(NULL, ","), count++) {
         const family *f = find_family(name, FORM_TEXT);
         if (!f) return fail("unknown kernel", name, "prt_codegen --list names them");
-        if (named_before(r->emit, name, r->emit + (name - names))) return fail("named twice in --emit", name, "leave one out");
+        if (named_before(r->emit, name, r->emit + (name - names)))
+            return fail("named twice in --emit", name, "leave one out");
         if (check_bands(f, r->first_bands, r->last_bands)) return 1;
         for (bands = r->first_bands; bands <= r->last_bands; bands++) print_function(to, d, r, f, bands);
     }
@@ -224,13 +229,14 @@ static int print_fence(FILE *to, const request *r) {
 static const char *const precision_option[PRECISIONS] = { "", " --precision half", " --precision float16" };
 
 static void print_preamble(FILE *to, const dialect *d, const request *r) {
-    fprintf(to, "%sprt.h " PRT_VERSION ": precomputed radiance transfer - MIT or Unlicense, your choice%s\n", d->comment_open, d->comment_close);
+    fprintf(to, "%sprt.h " PRT_VERSION ": precomputed radiance transfer - MIT or Unlicense, your choice%s\n",
+            d->comment_open, d->comment_close);
     fprintf(to, "%sGenerated by: prt_codegen --lang %s --bands %d", d->comment_open, r->lang, r->first_bands);
     if (r->last_bands != r->first_bands) fprintf(to, "-%d", r->last_bands);
     if (strcmp(r->prefix, "prt_")) fprintf(to, " --prefix %s", r->prefix);
     fprintf(to, " --emit %s%s%s", r->emit, precision_option[r->precision], d->comment_close);
-    fprintf(to, "\n%sReal SH, orthonormal, no Condon-Shortley phase, +z polar; coefficient (l,m) at l(l+1)+m; see prt.h.%s\n",
-            d->comment_open, d->comment_close);
+    fprintf(to, "\n%sReal SH, orthonormal, no Condon-Shortley phase, +z polar; coefficient (l,m) at l(l+1)+m; "
+                "see prt.h.%s\n", d->comment_open, d->comment_close);
     fputs(d->preamble, to);
     fprintf(to, "\n");
 }
@@ -261,15 +267,16 @@ static int print_request(const request *r) {
 
 static int print_list(void) {
     int i, bands;
-    printf("%-24s %5s %6s %6s %6s %6s %6s %6s %6s\n", "kernel", "bands", "mul", "add", "fused", "others", "loads", "stores", "live");
+    printf("%-24s %5s %6s %6s %6s %6s %6s %6s %6s\n", "kernel", "bands", "mul", "add", "fused", "others", "loads",
+           "stores", "live");
     for (i = 0; i < family_count; i++)
         for (bands = families[i].min_bands; families[i].forms & FORM_TEXT && bands <= families[i].max_bands; bands++) {
             kernel *k = families[i].describe(bands);
             op_count c;
             kernel_count_uses(k);
             c = kernel_operations(k);
-            printf("%-24s %5d %6d %6d %6d %6d %6d %6d %6d\n", families[i].name, bands, c.multiplications, c.additions, c.fused,
-                   c.divisions + c.roots + c.others, c.loads, c.stores, kernel_live_values(k));
+            printf("%-24s %5d %6d %6d %6d %6d %6d %6d %6d\n", families[i].name, bands, c.multiplications, c.additions,
+                   c.fused, c.divisions + c.roots + c.others, c.loads, c.stores, kernel_live_values(k));
             kernel_free(k);
         }
     return 0;
@@ -303,7 +310,8 @@ static int parse_request(request *r, int count, char **words) {
             else return fail("unknown precision", value, "use float, half or float16");
         }
         else if (!strcmp(words[i], "--emit")) {
-            if (strlen(value) >= sizeof r->emit) return fail("too many names", "--emit", "ask for fewer kernels at a time");
+            if (strlen(value) >= sizeof r->emit)
+                return fail("too many names", "--emit", "ask for fewer kernels at a time");
             strcpy(r->emit, value);
         }
         else if (!strcmp(words[i], "--table")) r->table = value;
@@ -316,7 +324,8 @@ static int parse_request(request *r, int count, char **words) {
         } else return fail("unknown option", words[i], "see the head of prt_codegen.c");
         i++;
     }
-    return r->emit[0] || r->table ? 0 : fail("nothing to print", "--emit", "name kernels; prt_codegen --list shows them");
+    if (r->emit[0] || r->table) return 0;
+    return fail("nothing to print", "--emit", "name kernels; prt_codegen --list shows them");
 }
 
 /* The request behind "prt_codegen" in a line of a file */

@@ -5,7 +5,9 @@
 #include <string.h>
 
 /* pi as a sum of three doubles: 1e-48 away from the truth */
-xreal x_pi(void) { return (xreal)3.141592653589793116 + (xreal)1.2246467991473532072e-16 - (xreal)2.9947698097183396659e-33; }
+xreal x_pi(void) {
+    return (xreal)3.141592653589793116 + (xreal)1.2246467991473532072e-16 - (xreal)2.9947698097183396659e-33;
+}
 
 xreal x_ratio(long numerator, long denominator) { return (xreal)numerator / (xreal)denominator; }
 

@@ -1,5 +1,6 @@
-/* Values and error bounds of a kernel's outputs, by running error analysis over its graph: each operation carries the
-   errors of its operands and rounds once, so a bound follows from the arithmetic of the language that ran the kernel. */
+/* Values and error bounds of a kernel's outputs, by running error analysis over its graph: each operation carries
+   the errors of its operands and rounds once, so a bound follows from the arithmetic of the language that ran the
+   kernel. */
 #ifndef PRT_ERROR_BOUND_H
 #define PRT_ERROR_BOUND_H
 
@@ -52,12 +53,12 @@ static bounded bounded_operation(node_op op, bounded a, bounded b, bounded c, bo
     return r;
 }
 
-/* What a language's numbers do: unit roundoff; error of a constant, the same unless the compiler truncates; absolute error
-   of sine and cosine; the smallest number that is not flushed to zero (0: none is) */
+/* What a language's numbers do: unit roundoff; error of a constant, the same unless the compiler truncates; absolute
+   error of sine and cosine; the smallest number that is not flushed to zero (0: none is) */
 typedef struct arithmetic { double eps, constant, trig, tiny; } arithmetic;
 
-/* inputs: the parameters' values one after the other, exact. outputs: in the order of parameters and elements, as many as
-   they have. */
+/* inputs: the parameters' values one after the other, exact. outputs: in the order of parameters and elements, as
+   many as they have. */
 static void bound_kernel(const kernel *k, const double *inputs, arithmetic with, bounded *outputs) {
     bounded *v = (bounded *)calloc((size_t)k->node_count, sizeof *v);
     int first[20], first_out[20], i, in = 0, out = 0;

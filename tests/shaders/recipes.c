@@ -34,7 +34,8 @@ static double difference(prt_rgb want, const float *got) {
 
 /* A part of a uniform cap's vectors, so that what is hidden fits what is seen; more than all under a bright spot */
 static double fiv_scene(void) {
-    float total[3], normal[3], fiv[OCCLUDERS][9], to[OCCLUDERS][3], radius[OCCLUDERS], taken[OCCLUDERS][3], filled[OCCLUDERS][3];
+    float total[3], normal[3], fiv[OCCLUDERS][9], to[OCCLUDERS][3], radius[OCCLUDERS], taken[OCCLUDERS][3];
+    float filled[OCCLUDERS][3];
     float left[3], both[OCCLUDERS][OCCLUDERS][3];
     prt_fiv_hidden hidden[OCCLUDERS];
     prt_rgb want = { 0, 0, 0 };
@@ -102,7 +103,8 @@ static prt_vo_occluder fill_occluder(occluder *o) {
 }
 
 static double vo_scene(int cap) {
-    float position[3], normal[3], eye[3], diffuse[3], specular[3], emissive[3], shininess, out[3], weights[3], strength[3];
+    float position[3], normal[3], eye[3], diffuse[3], specular[3], emissive[3], shininess, out[3], weights[3];
+    float strength[3];
     occluder o[OCCLUDERS];
     prt_vo_occluder occluders[OCCLUDERS];
     prt_point_light lights[LIGHTS];
@@ -133,10 +135,10 @@ static double vo_scene(int cap) {
         kernel_vo_direct(position, normal, eye, diffuse, specular, shininess, place, color, direct);
         for (i = 0; i < count; i++) {
             float pass[3], sent[3];
-            if (cap) kernel_vo_pass_cap(position, normal, place, strength, o[i].occlusion, o[i].caustic, o[i].transmissive, o[i].factor,
-                                     o[i].caustic_factor, pass);
-            else kernel_vo_pass(position, place, strength, o[i].occlusion, o[i].caustic, o[i].transmissive, o[i].factor,
-                             o[i].caustic_factor, pass);
+            if (cap) kernel_vo_pass_cap(position, normal, place, strength, o[i].occlusion, o[i].caustic,
+                                        o[i].transmissive, o[i].factor, o[i].caustic_factor, pass);
+            else kernel_vo_pass(position, place, strength, o[i].occlusion, o[i].caustic, o[i].transmissive,
+                                o[i].factor, o[i].caustic_factor, pass);
             kernel_vo_sent(position, normal, eye, diffuse, specular, place, color, o[i].position, o[i].diffuse_normal,
                         o[i].specular_normal, o[i].diffuse, o[i].specular, weights, 8, sent);
             for (c = 0; c < 3; c++) { direct[c] *= pass[c]; out[c] += sent[c]; }
@@ -184,7 +186,8 @@ static double packed_scene(void) {
     unpackHalf2x16(p.word[4], length);
     place[0] = position[0] + unit * xy[0]; place[1] = position[1] + unit * xy[1]; place[2] = position[2] + unit * zf[0];
     kernel_vo_unfold(o[0], o[1], occlusion);
-    kernel_vo_unfold(((float)(p.word[3] & 4095u) - 2048) / 2047, ((float)(p.word[3] >> 12 & 4095u) - 2048) / 2047, normal);
+    kernel_vo_unfold(((float)(p.word[3] & 4095u) - 2048) / 2047, ((float)(p.word[3] >> 12 & 4095u) - 2048) / 2047,
+                     normal);
     for (c = 0; c < 3; c++) normal[c] *= length[0];
     for (c = 0; c < 3; c++) if (!(zf[1] > 0)) occlusion[c] = 0;
     diffuse[0] = (float)(p.word[3] >> 24) / 255;

@@ -25,10 +25,12 @@ static void fiv_blend(const double *samples, const double *at, double *out) {
     double all[2 * 3 * 4 * 9] = { 0 }, theta = at[0] * PRT__PI / 2, phi = at[1] * PRT__PI / 2, r = 1 + at[2];
     prt_fiv_table t = { 3, 4, 2, NULL, 1, NULL, NULL };
     int j;
-    for (j = 0; j < 8; j++) memcpy(all + 9 * (((j >> 2) * 3 + (j >> 1 & 1)) * 4 + (j & 1)), samples + 9 * j, 9 * sizeof *all);
+    for (j = 0; j < 8; j++)
+        memcpy(all + 9 * (((j >> 2) * 3 + (j >> 1 & 1)) * 4 + (j & 1)), samples + 9 * j, 9 * sizeof *all);
     t.rho = rho;
     t.samples = (const prt_fiv *)(const void *)all;
-    prt_fiv_lookup(&t, prt__vec3(r * sin(theta) * cos(phi), r * sin(theta) * sin(phi), r * cos(theta)), (prt_fiv *)(void *)out);
+    prt_fiv_lookup(&t, prt__vec3(r * sin(theta) * cos(phi), r * sin(theta) * sin(phi), r * cos(theta)),
+                   (prt_fiv *)(void *)out);
 }
 
 static void fiv_place(const double *to, double *out) {
@@ -50,7 +52,8 @@ static void fiv_taken(const double *in, double *out) {
 
 /* What a whole disc takes of an even sky, as prt.h would have it from its vector */
 static void fiv_filled(const double *in, double *out) {
-    double whole[19], full[3], d = sqrt(in[9] * in[9] + in[10] * in[10] + in[11] * in[11]), s = in[12] < d ? in[12] / d : 1;
+    double whole[19], full[3], d = sqrt(in[9] * in[9] + in[10] * in[10] + in[11] * in[11]);
+    double s = in[12] < d ? in[12] / d : 1;
     int i;
     for (i = 0; i < 3; i++) whole[i] = in[i] > 0 ? 4 : 0;
     memcpy(whole + 3, in + 3, 3 * sizeof *in);
@@ -64,8 +67,8 @@ static void fiv_filled(const double *in, double *out) {
     }
 }
 
-/* Two circles of radius 2 sin(a/2), centres a chord apart, by the textbook's formula: squared radii, the lens over pi. 1
-   for one disc twice */
+/* Two circles of radius 2 sin(a/2), centres a chord apart, by the textbook's formula: squared radii, the lens over
+   pi. 1 for one disc twice */
 static int fiv_lens(const double *first, const double *second, double r2[2], double *lens) {
     double r[2], d2 = 0, d;
     prt_vec3 to[2];
@@ -77,7 +80,8 @@ static int fiv_lens(const double *first, const double *second, double r2[2], dou
         r2[i] = r[i] * r[i];
         to[i] = distance > 0 ? prt__vec3(v[0] / distance, v[1] / distance, v[2] / distance) : prt__vec3(0, 1, 0);
     }
-    d2 = (to[0].x - to[1].x) * (to[0].x - to[1].x) + (to[0].y - to[1].y) * (to[0].y - to[1].y) + (to[0].z - to[1].z) * (to[0].z - to[1].z);
+    d2 = (to[0].x - to[1].x) * (to[0].x - to[1].x) + (to[0].y - to[1].y) * (to[0].y - to[1].y) +
+         (to[0].z - to[1].z) * (to[0].z - to[1].z);
     d = sqrt(d2);
     *lens = 0;
     if (d >= r[0] + r[1]) return 0;
@@ -86,7 +90,8 @@ static int fiv_lens(const double *first, const double *second, double r2[2], dou
     if (d <= fabs(r[0] - r[1])) return one;
     *lens = (r2[0] * acos(fmax(-1, fmin(1, (d2 + r2[0] - r2[1]) / (2 * d * r[0])))) +
              r2[1] * acos(fmax(-1, fmin(1, (d2 + r2[1] - r2[0]) / (2 * d * r[1])))) -
-             sqrt(fmax(0, (r[0] + r[1] - d) * (r[0] + r[1] + d) * (d + r[0] - r[1]) * (d - r[0] + r[1]))) / 2) / PRT__PI;
+             sqrt(fmax(0, (r[0] + r[1] - d) * (r[0] + r[1] + d) * (d + r[0] - r[1]) * (d - r[0] + r[1]))) / 2) /
+            PRT__PI;
     return one;
 }
 
@@ -267,7 +272,8 @@ static void vo_unfold(const double *in, double *out) {
     X(ch_eval, 0, prt_ch_eval(n, vec3_of(in), out)) \
     X(sh_at, 0, *out = prt_sh_at(n, in, vec3_of(in + n * n))) \
     X(ch_at, 0, *out = prt_ch_at(n, in, vec3_of(in + n * n))) \
-    X(sh_add_sample, 0, memcpy(out, in + 4, sizeof *out * (size_t)(n * n)); prt_sh_add_sample(n, vec3_of(in), in[3], out)) \
+    X(sh_add_sample, 0, \
+      memcpy(out, in + 4, sizeof *out * (size_t)(n * n)); prt_sh_add_sample(n, vec3_of(in), in[3], out)) \
     X(sh_delta, 0, prt_sh_delta(n, vec3_of(in), out)) \
     X(sh_cone, 1e-10, prt_sh_cone(n, vec3_of(in), fmin(in[3], PRT__PI), out)) \
     X(sh_sphere, 0, prt_sh_sphere(n, vec3_of(in), in[3], out)) \
@@ -307,7 +313,8 @@ static void vo_unfold(const double *in, double *out) {
     X(ch_dot, 0, *out = prt_ch_dot(n, in, in + n * n)) \
     X(ch_rotate, 0, prt_ch_rotate(n, in, in + 9, out)) \
     X(ch_product, 0, prt_ch_product(n, in, in + n * n, out)) \
-    X(fiv_irradiance, 0, prt_fiv f = fiv_of(in); prt_rgb c = prt_fiv_irradiance(&f, vec3_of(in + 9)); memcpy(out, &c, sizeof c)) \
+    X(fiv_irradiance, 0, \
+      prt_fiv f = fiv_of(in); prt_rgb c = prt_fiv_irradiance(&f, vec3_of(in + 9)); memcpy(out, &c, sizeof c)) \
     X(fiv_add, 0, fiv_add(in, out)) \
     X(fiv_transfer, 0, fiv_transfer(n, in, out)) \
     X(fiv_place, 4e-9, fiv_place(in, out)) \
@@ -384,14 +391,16 @@ static void fill_triple(const char *name, double *v) {
     int i;
     for (i = 0; i < 3; i++) {
         double u = uniform();
-        v[i] = one_of(name, "position light eye occluder_position") ? 4 * u - 2 : one_of(name, "weights strength") ? 0.1 + u : u;
+        if (one_of(name, "position light eye occluder_position")) v[i] = 4 * u - 2;
+        else v[i] = one_of(name, "weights strength") ? 0.1 + u : u;
     }
     if (!strcmp(name, "strength")) v[2] = 1e-3 + 0.05 * v[2];
 }
 
 static double fill_scalar(const char *name, int item) {
     double u = uniform();
-    if (!strcmp(name, "half_angle")) return item % 7 == 0 ? 0 : item % 7 == 1 ? PRT__PI : item % 7 == 2 ? PRT__PI / 2 : PRT__PI * u;
+    if (!strcmp(name, "half_angle"))
+        return item % 7 == 0 ? 0 : item % 7 == 1 ? PRT__PI : item % 7 == 2 ? PRT__PI / 2 : PRT__PI * u;
     if (!strncmp(name, "radius", 6)) return item % 7 == 0 ? 0 : 2 * u;
     if (!strcmp(name, "angle")) return item % 7 == 0 ? 0 : 2 * PRT__PI * (2 * u - 1);
     if (!strcmp(name, "exponent")) return item % 7 == 0 ? 0 : 100 * u;
@@ -434,7 +443,8 @@ void fill_inputs(const kernel *k, int item, double *in) {
         const param *p = &k->params[i];
         if (p->kind == PARAM_DIRECTION) {
             if (!strcmp(p->name, "across")) fill_across(in);
-            else if (one_of(p->name, "along v dir axis up normal to_centre to_centre2 occlusion caustic diffuse_normal specular_normal"))
+            else if (one_of(p->name, "along v dir axis up normal to_centre to_centre2 occlusion caustic "
+                                     "diffuse_normal specular_normal"))
                 fill_direction(p->name, item, in);
             else fill_triple(p->name, in);
             in += 3;

@@ -4,8 +4,9 @@
 
 #include "../../codegen/graph.h"
 
-/* call: in and out are the kernel's inputs and outputs, the parameters one after the other, at n bands. approximation: how
-   far, over the largest output, the kernel's own formulas may be from those of prt.h; 0 unless it approximates a function. */
+/* call: in and out are the kernel's inputs and outputs, the parameters one after the other, at n bands.
+   approximation: how far, over the largest output, the kernel's own formulas may be from those of prt.h; 0 unless it
+   approximates a function. */
 typedef struct reference {
     const char *name;
     void (*call)(int n, const double *in, double *out);

@@ -60,7 +60,8 @@ int run_opengl_compute(const char *text, const work *job, why *w) {
 
 int run_opengl_fragment(const char *text, const work *job, why *w) {
     static const char triangle[] =
-        "#version 330\nvoid main() { gl_Position = vec4(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1, 0, 1); }\n";
+        "#version 330\n"
+        "void main() { gl_Position = vec4(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1, 0, 1); }\n";
     GLuint shader = compile(GL_FRAGMENT_SHADER, text, w), program, buffer, texture, frame, target, array;
     program = shader ? link_program(shader, compile(GL_VERTEX_SHADER, triangle, w), w) : 0;
     if (!program) return -1;

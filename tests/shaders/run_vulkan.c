@@ -116,7 +116,7 @@ static int create_pools(why *w) {
     layout.setLayoutCount = 1;
     layout.pSetLayouts = &vk.set_layout;
     return failed(vkCreateCommandPool(vk.device, &commands, NULL, &vk.commands), "making a command pool", w) ||
-           failed(vkCreateDescriptorPool(vk.device, &descriptors, NULL, &vk.descriptors), "making a descriptor pool", w) ||
+           failed(vkCreateDescriptorPool(vk.device, &descriptors, NULL, &vk.descriptors), "making descriptors", w) ||
            failed(vkCreateDescriptorSetLayout(vk.device, &set, NULL, &vk.set_layout), "describing the buffers", w) ||
            failed(vkCreatePipelineLayout(vk.device, &layout, NULL, &vk.layout), "making a layout", w) ? -1 : 0;
 }
@@ -297,7 +297,8 @@ static int dispatch(VkPipeline pipeline, VkDescriptorSet set, int groups, double
 }
 
 int run_vulkan(const char *spirv_path, const work *job, int runs, double *seconds, why *w) {
-    size_t each = (size_t)job->items * sizeof(float), read = each * (size_t)job->ins, written = each * (size_t)job->outs;
+    size_t each = (size_t)job->items * sizeof(float), read = each * (size_t)job->ins;
+    size_t written = each * (size_t)job->outs;
     double now = 0;
     int i;
     VkShaderModule module = VK_NULL_HANDLE;
@@ -307,7 +308,8 @@ int run_vulkan(const char *spirv_path, const work *job, int runs, double *second
     int bad;
     memset(buffers, 0, sizeof buffers);
     bad = load_module(spirv_path, &module, w) || create_pipeline(module, &pipeline, w) ||
-          create_buffer(&buffers[0], read, w) || create_buffer(&buffers[1], written, w) || bind_buffers(buffers, &set, w);
+          create_buffer(&buffers[0], read, w) || create_buffer(&buffers[1], written, w) ||
+          bind_buffers(buffers, &set, w);
     if (!bad) {
         memcpy(buffers[0].mapped, job->in, read);
         for (i = 0; i < runs && !bad; i++) {

@@ -1,5 +1,5 @@
-/* Runs one program over an array of inputs: item k reads ins floats from in[k * ins] and writes outs floats. Each returns
-   0, or -1 with the reason in w. */
+/* Runs one program over an array of inputs: item k reads ins floats from in[k * ins] and writes outs floats. Each
+   returns 0, or -1 with the reason in w. */
 #ifndef PRT_SHADER_RUNNER_H
 #define PRT_SHADER_RUNNER_H
 
@@ -12,9 +12,9 @@ typedef struct work { int items, ins, outs; const float *in; float *out; } work;
 int run_opengl_compute(const char *text, const work *job, why *w);
 int run_opengl_fragment(const char *text, const work *job, why *w);
 
-/* Vulkan: SPIR-V with the entry point main and buffers 0 and 1 of set 0, `runs` times. `processor`: whether a software
-   device (Mesa's lavapipe) is wanted, or a GPU; where there is only the other kind, that is taken. seconds (may be NULL)
-   receives the shortest run by the device's clock, 0 if it has none. */
+/* Vulkan: SPIR-V with the entry point main and buffers 0 and 1 of set 0, `runs` times. `processor`: whether a
+   software device (Mesa's lavapipe) is wanted, or a GPU; where there is only the other kind, that is taken. seconds
+   (may be NULL) receives the shortest run by the device's clock, 0 if it has none. */
 int  vulkan_create(int processor, why *w);
 void vulkan_destroy(void);
 const char *vulkan_name(void);

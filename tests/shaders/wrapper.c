@@ -32,18 +32,21 @@ typedef struct words {
 
 static const words words_plain = {
     "    REAL %s[%d];\n", "    for (int i = 0; i < %d; i++) %s[i] = REAL(IN(%d + i));\n", "REAL(IN(%d))",
-    "VEC3(IN(%d), IN(%d), IN(%d))", "VEC4(IN(%d), IN(%d), IN(%d), IN(%d))", "%s", "    REAL %s = ", "    VEC3 %s = ", "    OUT(%d, %s);\n",
+    "VEC3(IN(%d), IN(%d), IN(%d))", "VEC4(IN(%d), IN(%d), IN(%d), IN(%d))", "%s", "    REAL %s = ", "    VEC3 %s = ",
+        "    OUT(%d, %s);\n",
     "    for (int i = 0; i < %d; i++) OUT(%d + i, %s[i]);\n"
 };
 static const words words_c = {
     "    REAL %s[%d];\n", "    for (int i = 0; i < %d; i++) %s[i] = (REAL)IN(%d + i);\n", "(REAL)IN(%d)",
     "(const REAL[3]){ (REAL)IN(%d), (REAL)IN(%d), (REAL)IN(%d) }",
-    "(const REAL[4]){ (REAL)IN(%d), (REAL)IN(%d), (REAL)IN(%d), (REAL)IN(%d) }", "%s", "    REAL %s = ", "    REAL %s[3];\n", "    OUT(%d, %s);\n",
+    "(const REAL[4]){ (REAL)IN(%d), (REAL)IN(%d), (REAL)IN(%d), (REAL)IN(%d) }", "%s", "    REAL %s = ",
+        "    REAL %s[3];\n", "    OUT(%d, %s);\n",
     "    for (int i = 0; i < %d; i++) OUT(%d + i, %s[i]);\n"
 };
 #define WGSL_WORDS(real) { \
     "    var %s: array<" real ", %d>;\n", \
-    "    for (var i: u32 = 0u; i < %du; i++) { %s[i] = " real "(ins[base_in + %du + i]); }\n", real "(ins[base_in + %du])", \
+    "    for (var i: u32 = 0u; i < %du; i++) { %s[i] = " real "(ins[base_in + %du + i]); }\n", \
+        real "(ins[base_in + %du])", \
     "vec3<" real ">(vec3<f32>(ins[base_in + %du], ins[base_in + %du], ins[base_in + %du]))", \
     "vec4<" real ">(vec4<f32>(ins[base_in + %du], ins[base_in + %du], ins[base_in + %du], ins[base_in + %du]))", \
     "&%s", "    let %s = ", "    let %s = ", "    outs[base_out + %du] = f32(%s);\n", \
@@ -106,7 +109,8 @@ static void print_types(FILE *to, const char *language, precision p) {
     static const char *const types[][PRECISIONS][3] = {
         { { "float", "", "" }, { "_Float16", "", "" }, { "_Float16", "", "" } },
         { { "float", "vec3", "vec4" }, { "float", "vec3", "vec4" }, { "float16_t", "f16vec3", "f16vec4" } },
-        { { "float", "float3", "float4" }, { "min16float", "min16float3", "min16float4" }, { "half", "half3", "half4" } },
+        { { "float", "float3", "float4" }, { "min16float", "min16float3", "min16float4" },
+          { "half", "half3", "half4" } },
         { { "float", "float3", "float4" }, { "half", "half3", "half4" }, { "half", "half3", "half4" } }
     };
     int row = !strcmp(language, "c") ? 0 : !strcmp(language, "glsl") ? 1 : !strcmp(language, "hlsl") ? 2 : 3;
@@ -125,7 +129,8 @@ static void wrap_function(FILE *to, kernel *k, const char *language, precision p
     char name[32];
     snprintf(name, sizeof name, "prt_kernel_%d", number);
     print_kernel(to, find_dialect(language, p), k, name);
-    fprintf(to, "%svoid run_%d(const float *ins, float *outs) {\n", !strcmp(language, "metal") ? "extern \"C\" " : "", number);
+    fprintf(to, "%svoid run_%d(const float *ins, float *outs) {\n", !strcmp(language, "metal") ? "extern \"C\" " : "",
+            number);
     if (kernel_inputs(k) == 0) fprintf(to, "    (void)ins;\n");
     print_call(to, k, words_of(language, p), name);
     fprintf(to, "}\n");
@@ -142,7 +147,8 @@ static void wrap_compute(FILE *to, kernel *k, const char *language, precision p,
     fputs(d->preamble, to);
     print_types(to, language, p);
     if (!strcmp(language, "glsl"))
-        fprintf(to, "layout(local_size_x = 64) in;\nlayout(std430, binding = 0) readonly buffer source_ { float ins[]; };\n"
+        fprintf(to, "layout(local_size_x = 64) in;\n"
+                    "layout(std430, binding = 0) readonly buffer source_ { float ins[]; };\n"
                     "layout(std430, binding = 1) writeonly buffer target_ { float outs[]; };\n");
     if (!strcmp(language, "hlsl"))
         fprintf(to, "StructuredBuffer<float> ins : register(t0);\nRWStructuredBuffer<float> outs : register(u1);\n");
@@ -178,7 +184,8 @@ static void wrap_fragment(FILE *to, kernel *k, precision p, const char *version)
     fprintf(to, "}\n");
 }
 
-void wrap_kernel(FILE *to, kernel *k, const char *language, precision p, wrapping how, const char *version, int number) {
+void wrap_kernel(FILE *to, kernel *k, const char *language, precision p, wrapping how, const char *version,
+                 int number) {
     switch (how) {
     case WRAP_FUNCTION: wrap_function(to, k, language, p, number); break;
     case WRAP_COMPUTE:  wrap_compute(to, k, language, p, version, 0, 0); break;

@@ -1,5 +1,5 @@
-/* Programs around one kernel, in each language, that run it over an array of inputs: item k reads kernel_inputs floats from
-   ins[k * kernel_inputs], its parameters one after the other, and writes kernel_outputs floats. */
+/* Programs around one kernel, in each language, that run it over an array of inputs: item k reads kernel_inputs
+   floats from ins[k * kernel_inputs], its parameters one after the other, and writes kernel_outputs floats. */
 #ifndef PRT_SHADER_WRAPPER_H
 #define PRT_SHADER_WRAPPER_H
 
@@ -9,8 +9,9 @@
 int kernel_inputs(const kernel *k);
 int kernel_outputs(const kernel *k);
 
-/* How the program is run: GLSL, HLSL and WGSL as a compute shader, GLSL (330) also as a fragment shader; C and Metal, whose
-   text is compiled as C++ with the words of metal_shim/, as a function `run_NUMBER(ins, outs)` for one item. */
+/* How the program is run: GLSL, HLSL and WGSL as a compute shader, GLSL (330) also as a fragment shader; C and
+   Metal, whose text is compiled as C++ with the words of metal_shim/, as a function `run_NUMBER(ins, outs)` for one
+   item. */
 typedef enum wrapping { WRAP_COMPUTE, WRAP_FRAGMENT, WRAP_FUNCTION } wrapping;
 
 void wrap_kernel(FILE *to, kernel *k, const char *language, precision p, wrapping how, const char *version, int number);
