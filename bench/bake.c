@@ -20,13 +20,11 @@
 enum { BANDS = 5, N = PRT_SH_COUNT(BANDS) };
 static const char default_mesh[] = "/usr/share/glmark2/models/bunny.obj";
 
-static double clock_seconds(clockid_t clock) {
+static double thread_seconds(void) {
     struct timespec t;
-    clock_gettime(clock, &t);
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
-static double seconds(void) { return clock_seconds(CLOCK_MONOTONIC); }
-static double processor_seconds(void) { return clock_seconds(CLOCK_THREAD_CPUTIME_ID); }
 
 static void *room(size_t count, size_t size) {
     void *memory = malloc(count * size);
@@ -73,9 +71,9 @@ static int record(void *user, int count, const prt_ray *rays, unsigned char *blo
     rtcInitIntersectContext(&context);
     context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
     for (k = 0; k < count; k++) to_embree(&r->rays[k], &rays[k]);
-    before = processor_seconds();
+    before = thread_seconds();
     rtcOccluded1M(r->scene, &context, r->rays, (unsigned)count, sizeof *r->rays);
-    r->bare += processor_seconds() - before;
+    r->bare += thread_seconds() - before;
     for (k = 0; k < count; k++) blocked[k] = r->rays[k].tfar < 0;
     memcpy(r->answers + r->position, blocked, (size_t)count);
     r->position += (size_t)count;
@@ -106,15 +104,15 @@ static void speed_row(const speed_form *form, int bands, int samples, const mesh
         double start;
         r->position = 0; r->bare = 0;
         tracer.occluded = record;
-        start = processor_seconds();
+        start = thread_seconds();
         require(form->bake(&desc, m->point_count, m->points, first, count, transfer), "bake");
-        whole = fmin(whole, 1e9 * (processor_seconds() - start) / rays);
+        whole = fmin(whole, 1e9 * (thread_seconds() - start) / rays);
         bare = fmin(bare, 1e9 * r->bare / rays);
         r->position = 0;
         tracer.occluded = replay;
-        start = processor_seconds();
+        start = thread_seconds();
         require(form->bake(&desc, m->point_count, m->points, first, count, transfer), "bake");
-        over = fmin(over, 1e9 * (processor_seconds() - start) / rays);
+        over = fmin(over, 1e9 * (thread_seconds() - start) / rays);
     }
     free(transfer);
     fprintf(csv, "%s,%d,%d,%.3f,%.3f,%.3f,%.4f\n", form->name, bands, samples, bare, whole, over, over / bare);
@@ -225,7 +223,7 @@ static void transfer_by(const sampler *s, int total, uint64_t seed, int index, p
 }
 
 static void show(int done, int total, double start) {
-    double left = (seconds() - start) * (total - done) / done;
+    double left = (bench_seconds() - start) * (total - done) / done;
     fprintf(stderr, "\rbake: %3d %%, %.0f s left   %s", 100 * done / total, left, done == total ? "\n" : "");
 }
 
@@ -241,7 +239,7 @@ static void error(const mesh *m, const char *mesh_name, const prt_tracer *tracer
     static double rms[SAMPLERS][RAY_COUNTS];
     const sampler reference_by = { "", "", PRT_SAMPLE_SOBOL, COSINE, 0 };
     int points = m->point_count < ERROR_POINTS ? m->point_count : ERROR_POINTS, p, s, q, i;
-    double start = seconds(), open = 0, chapter = 0;
+    double start = bench_seconds(), open = 0, chapter = 0;
     prt_real bias = (prt_real)1e-4 * m->report.radius;
     char more[160];
     workroom w;
