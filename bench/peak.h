@@ -26,22 +26,34 @@ typedef prt_real wide __attribute__((vector_size(16)));
 enum { CHAINS = 12, STEPS = 64, PEAK_LANES = (int)(sizeof(wide) / sizeof(prt_real)),
        PEAK_FLOPS = 2 * CHAINS * STEPS * PEAK_LANES };         /* of one pass, a multiply-add counted as two */
 
-/* out[PEAK_LANES]: so that the work is not left out. */
+/* out[PEAK_LANES]: so that the work is not left out. The chains have a name each: gcc keeps an array of them in memory. */
+#define PEAK_EACH(X) X(0) X(1) X(2) X(3) X(4) X(5) X(6) X(7) X(8) X(9) X(10) X(11)
 static void peak_passes(long passes, prt_real *out) {
-    wide a[CHAINS], scale, offset;
-    int i, step;
-    memset(a, 0, sizeof a);
-    scale = a[0] + (prt_real)0.5;
-    offset = a[0] + (prt_real)0.25;
+    wide scale, offset, zero;
+    int step;
+#define PEAK_DECLARE(i) wide a##i;
+#define PEAK_START(i) a##i = zero;
+#define PEAK_STEP(i) a##i = a##i * scale + offset;
+#define PEAK_PIN(i) PIN(a##i)
+#define PEAK_SUM(i) zero += a##i;
+    PEAK_EACH(PEAK_DECLARE)
+    memset(&zero, 0, sizeof zero);
+    scale = zero + (prt_real)0.5;
+    offset = zero + (prt_real)0.25;
     PIN(scale) PIN(offset)
+    PEAK_EACH(PEAK_START)
     for (; passes > 0; passes--)
         for (step = 0; step < STEPS; step++) {
-            for (i = 0; i < CHAINS; i++) a[i] = a[i] * scale + offset;
-            PIN(a[0]) PIN(a[1]) PIN(a[2]) PIN(a[3]) PIN(a[4]) PIN(a[5])
-            PIN(a[6]) PIN(a[7]) PIN(a[8]) PIN(a[9]) PIN(a[10]) PIN(a[11])
+            PEAK_EACH(PEAK_STEP)
+            PEAK_EACH(PEAK_PIN)
         }
-    for (i = 1; i < CHAINS; i++) a[0] += a[i];
-    memcpy(out, &a[0], sizeof a[0]);
+    PEAK_EACH(PEAK_SUM)
+    memcpy(out, &zero, sizeof zero);
+#undef PEAK_DECLARE
+#undef PEAK_START
+#undef PEAK_STEP
+#undef PEAK_PIN
+#undef PEAK_SUM
 }
 
 #endif
