@@ -567,7 +567,8 @@ PRTDEF prt_result prt_sh_mask_filter(int bands, prt_window w, const prt_real *li
 
    prt_sh_exp: the mean is split off (a factor), the rest halved h times until its norm is at most 1, exponentiated by a
    series of degree 4 and squared h times. Products: 3, and h squares, h = log2 of the norm of f without its mean.
-   Error of the series and the squarings: docs/masks.md; truncation of f to n bands costs more. out may alias f.
+   Error of the series and the squarings: 4e-4 for 16 blockers at 4 bands, of which most comes from truncating squares
+   (docs/operations.md); truncation to n bands itself costs a hundred times as much. out may alias f.
    Values are not checked; what is not finite makes every coefficient NaN. */
 PRTDEF prt_result prt_sh_exp(int bands, const prt_real *f, prt_real *out);
 

@@ -489,7 +489,9 @@ int main(int argc, char **argv) {
     print_blockers(4);
     print_blockers(6);
     if (blockers) fprintf(to, "\n![Error against time for 16 blockers, 2 to 8 bands](plots/blockers_pareto.svg)\n\n"
-                              "![Error against time of products](plots/product_pareto.svg)\n");
+                              "![Error against time of products](plots/product_pareto.svg)\n\n"
+                              "Series of other degrees, logarithms by steps, and what batches of products can gain: "
+                              "[operations.md](operations.md).\n");
     if (command_close(&line, to)) return 1;
     if (picture && !plot(picture)) {
         fprintf(stderr, "masks: no plot %s: gnuplot is missing or failed; install gnuplot-nox\n", picture);

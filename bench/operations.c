@@ -72,7 +72,7 @@ static int plot(const char *folder, const char *name, const char *x, const char 
     fprintf(
         p,
         "set terminal svg size 800,560 noenhanced dynamic font 'sans-serif,13' background 'white'\nset output '%s/%s'\n"
-        "set logscale xy\nset format y '%%g'\nset xlabel '%s'\nset ylabel '%s'\nset grid xtics ytics lc rgb '#dddddd'\n"
+        "set logscale xy\nset autoscale yfix\nset format y '%%g'\nset xlabel '%s'\nset ylabel '%s'\nset grid xtics ytics lc rgb '#dddddd'\n"
         "set key outside top center maxcols 2 Left reverse\nplot ",
         folder, name, x, y);
     for (i = 0; i < count; i++)
