@@ -133,7 +133,7 @@ kernel *describe_sh_irradiance_packed(int bands) {
     static const char *const name[7] = { "a_red", "a_green", "a_blue", "b_red", "b_green", "b_blue", "c" };
     node sum[3], product[5];
     int constant[7], i, j;
-    vec n, out;
+    vec n;
     (void)bands;
     for (i = 0; i < 7; i++) constant[i] = kernel_param(k, name[i], PARAM_FOUR, 4);
     n = vec_param(k, "normal");
@@ -149,10 +149,7 @@ kernel *describe_sh_irradiance_packed(int bands) {
         for (j = 0; j < 4; j++) sum[i] = k_madd(k, k_element(k, constant[3 + i], j), product[j], sum[i]);
         sum[i] = k_madd(k, k_element(k, constant[6], i), product[4], sum[i]);
     }
-    out.x = sum[0];
-    out.y = sum[1];
-    out.z = sum[2];
-    vec_result(k, out);
+    vec_result(k, vec_of(sum));
     return k;
 }
 

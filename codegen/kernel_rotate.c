@@ -35,11 +35,12 @@ static node block_entry(kernel *k, const blocks *b, int l, int m, int column) {
         pair = k_add(k, above(k, b, 1, l, 1, column), above(k, b, -1, l, -1, column));
         return k_sub(k, sum, k_scale(k, v, pair));
     }
-    if (am == 1) return k_add(k, sum, k_add(k, k_scale(k, v * x_sqrt(2), above(k, b, s, l, 0, column)), l > 2 ?
-        k_scale(k, -w, k_add(k, above(k, b, 1, l, m + s, column), k_scale(k, s, above(k, b, -1, l, -m - s, column)))) :
-        k_const(k, 0)));
-    pair = k_sub(k, above(k, b, 1, l, m - s, column), k_scale(k, s, above(k, b, -1, l, s - m, column)));
-    sum = k_add(k, sum, k_scale(k, v, pair));
+    if (am == 1) {
+        sum = k_add(k, sum, k_scale(k, v * x_sqrt(2), above(k, b, s, l, 0, column)));
+    } else {
+        pair = k_sub(k, above(k, b, 1, l, m - s, column), k_scale(k, s, above(k, b, -1, l, s - m, column)));
+        sum = k_add(k, sum, k_scale(k, v, pair));
+    }
     if (am >= l - 1) return sum;
     pair = k_add(k, above(k, b, 1, l, m + s, column), k_scale(k, s, above(k, b, -1, l, -m - s, column)));
     return k_sub(k, sum, k_scale(k, w, pair));

@@ -52,7 +52,7 @@ kernel *describe_shade_glossy(int bands) {
     kernel *k = named_kernel("shade_glossy", "exit radiance of a lobe about a direction", bands);
     int n = bands * bands, incident = kernel_param(k, "incident", PARAM_INPUT, 3 * n), l, i, c;
     node zonal[64], y[64 * 64], sum[3];
-    vec dir, out;
+    vec dir;
     input_nodes(k, "zonal", bands, zonal);
     dir = vec_param(k, "dir");
     sh_values(k, bands, dir.x, dir.y, dir.z, y);
@@ -64,10 +64,7 @@ kernel *describe_shade_glossy(int bands) {
             for (c = 0; c < 3; c++) sum[c] = k_madd(k, value, k_element(k, incident, c * n + i), sum[c]);
         }
     }
-    out.x = sum[0];
-    out.y = sum[1];
-    out.z = sum[2];
-    vec_result(k, out);
+    vec_result(k, vec_of(sum));
     return k;
 }
 

@@ -45,6 +45,7 @@ node k_exponential_slope(kernel *k, node v);           /* (e^v - 1)/v, v <= 0 */
 /* Vectors of three nodes (vec.c) */
 typedef struct vec { node x, y, z; } vec;
 vec  vec_param(kernel *k, const char *name);           /* a parameter of three values */
+vec  vec_of(const node v[3]);
 vec  vec_element(kernel *k, int from, int element);    /* three values of an array */
 node vec_dot(kernel *k, vec a, vec b);
 vec  vec_sub(kernel *k, vec a, vec b);

@@ -9,6 +9,11 @@ vec vec_element(kernel *k, int from, int element) {
     v.z = k_element(k, from, element + 2);
     return v;
 }
+vec vec_of(const node v[3]) {
+    vec a;
+    a.x = v[0]; a.y = v[1]; a.z = v[2];
+    return a;
+}
 vec vec_param(kernel *k, const char *name) { return vec_element(k, kernel_param(k, name, PARAM_DIRECTION, 3), 0); }
 node real_param(kernel *k, const char *name) { return k_scalar(k, kernel_param(k, name, PARAM_SCALAR, 0)); }
 
