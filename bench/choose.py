@@ -22,7 +22,10 @@ STORED = {"float": ("float", 4, "prt_shade_diffuse_n"), "half": ("half", 2, "prt
 TRADES = [
     ("how to evaluate the basis", "accuracy.md", ["plots/eval_pareto.svg"]),
     ("how to rotate", "rotation.md", ["plots/rotation_pareto.svg"]),
-    ("how to multiply", "speed.md", ["plots/product_pareto.svg"]),
+    ("how to multiply", "operations.md", ["plots/product_pareto.svg"]),
+    ("logarithms, exponentials, windows, deringing, lights", "operations.md",
+     ["plots/log_pareto.svg", "plots/exp_pareto.svg", "plots/smooth_pareto.svg", "plots/analytic_pareto.svg",
+      "plots/light_pareto.svg"]),
     ("chains of masks, or logarithms", "masks.md", ["plots/blockers_pareto.svg"]),
     ("cpherical or spherical harmonics", "rotation.md", ["plots/ch_pareto.svg"]),
     ("which sample set", "bake.md", ["bake-error.svg"]),
@@ -30,6 +33,8 @@ TRADES = [
     ("moving occluders: size and storage of tables", "fiv.md", ["plots/fiv*.svg"]),
     ("vector occluders: how many, which law", "vo.md", ["plots/vo-error.svg", "plots/vo-occluders.svg",
                                                        "plots/vo-split.svg"]),
+    ("what keeps an error, asked of a scene", "advise.md", ["plots/advise*.svg"]),
+    ("float or double at the extremes", "stability.md", ["plots/stability*.svg"]),
 ]
 
 
@@ -145,6 +150,7 @@ def draw(root, trade):
 
 
 def trades(root):
+    """Links to what is there: other programs draw these, so --check does not ask for them."""
     lines = []
     for what, page, plots in TRADES:
         drawn = [p for pattern in plots for p in sorted((root / "docs").glob(pattern))]
@@ -155,7 +161,7 @@ def trades(root):
     return "| choice | page | plots |\n|---|---|---|\n" + "\n".join(lines) + "\n"
 
 
-def page(root, table, speed, bake):
+def page(root, table, speed, bake, linked):
     trade = Trade(table)
     given = dict(l.split(": ", 1) for l in table.stamp if ": " in l)
     return "\n".join([f"""# How many bands, rays and bits
@@ -196,7 +202,7 @@ noise of rays. *By storage*: the root mean square difference from shading with f
 {storage_table(trade, speed)}
 ## Other choices, measured elsewhere
 
-{trades(root)}"""])
+""" + (trades(root) if linked else "")])
 
 
 def main():
@@ -209,7 +215,7 @@ def main():
     table, speed, bake = map(Table, files)
     if not options.check:
         draw(root, Trade(table))
-    report.put([(root / "docs" / "choose.md", page(root, table, speed, bake))], options.check)
+    report.put([(root / "docs" / "choose.md", page(root, table, speed, bake, not options.check))], options.check)
 
 
 if __name__ == "__main__":
