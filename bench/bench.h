@@ -79,6 +79,7 @@ int bench_run(const bench_options *options, void (*group)(void *user, const benc
 double bench_clock_ghz(void);            /* median of all clock measurements so far; 0 before the first */
 const char *bench_cpu_name(void);        /* the processor's model */
 double bench_seconds(void);              /* monotonic clock */
+int bench_has_band(const char *list, int bands);       /* whether a list such as "1-10,16,32" names it */
 
 /* Keeps the compiler from dropping or merging work whose result stands behind p. */
 #define BENCH_KEEP(p) __asm__ volatile("" : : "r"(p) : "memory")

@@ -368,18 +368,6 @@ static void run_group(timed *all, int count, const bench_options *o,
     free(samples);
 }
 
-static int has_band(const char *list, int bands) {
-    while (*list) {
-        char *end;
-        long first = strtol(list, &end, 10), last = first;
-        if (end == list) return 0;
-        if (*end == '-') last = strtol(end + 1, &end, 10);
-        if (bands >= first && bands <= last) return 1;
-        list = *end == ',' ? end + 1 : end;
-    }
-    return 0;
-}
-
 /* Every word of the filter (separated by blanks) must be in the row's description; "=word" a whole word of it. */
 static int passes_filter(const char *filter, const bench_candidate *c, int bands) {
     char text[512], words[512], *word;
@@ -399,7 +387,7 @@ static int gather(timed *all, const char *job, int bands, int real_bytes, const 
     int i, count = 0;
     for (i = 0; i < candidate_count; i++) {
         const bench_candidate *c = candidates[i];
-        if (strcmp(c->job, job) || c->real_bytes != real_bytes || !has_band(c->bands, bands)) continue;
+        if (strcmp(c->job, job) || c->real_bytes != real_bytes || !bench_has_band(c->bands, bands)) continue;
         if (!passes_filter(filter, c, bands) || count == MAX_ROWS / 2) continue;
         memset(&all[count], 0, sizeof all[count]);
         all[count].candidate = c;

@@ -1,7 +1,8 @@
-/* machine.c - the machine's clock, and the processor's name for the stamps of tables. */
+/* machine.c - the machine's clock, the processor's name for the stamps of tables, and lists of bands. */
 #define _POSIX_C_SOURCE 200809L
 #include "bench.h"
 
+#include <stdlib.h>
 #include <string.h>
 #include <time.h>
 
@@ -31,4 +32,16 @@ const char *bench_cpu_name(void) {
     fclose(f);
     if (*family) snprintf(name + strlen(name), sizeof name - strlen(name), " (family %s model %s)", family, model);
     return name;
+}
+
+int bench_has_band(const char *list, int bands) {
+    while (*list) {
+        char *end;
+        long first = strtol(list, &end, 10), last = first;
+        if (end == list) return 0;
+        if (*end == '-') last = strtol(end + 1, &end, 10);
+        if (bands >= first && bands <= last) return 1;
+        list = *end == ',' ? end + 1 : end;
+    }
+    return 0;
 }

@@ -36,7 +36,11 @@
    outside of the timed loop. "rotate" turns data->f by data->rotation, "rotate_by" does it with matrices made before,
    "product" multiplies data->f and data->g. Whoever takes part in a job "eval...", "rotate" or "rotate_by" is checked
    before it is timed: its squares must sum to n^2 / (4 pi) a direction, or to those of data->f, which holds for every
-   sign and order of the coefficients. */
+   sign and order of the coefficients.
+
+   The program `rotation` takes the rows of the job "rotate" too and puts them into the plot of error against time; there
+   results are compared, so what stands in data->f and data->out must have the signs and the order of prt.h: change
+   them outside of the loop. `rotation --peers bench/results/rotation-peers.csv` keeps what it found for docs/rotation.md. */
 #ifndef BENCH_PEER_H
 #define BENCH_PEER_H
 

@@ -123,6 +123,53 @@ static int print_blocks(FILE *csv) {
     return 1;
 }
 
+/* ---- others, side by side (peer.h) ---- */
+
+enum { MOST_PEERS = 16 };
+static const bench_peer *peers[MOST_PEERS];
+static int peer_count;
+
+void bench_add_peers(const bench_peer *rows, int count) {
+    int i;
+    for (i = 0; i < count; i++)
+        if (!strcmp(rows[i].job, "rotate") && peer_count < MOST_PEERS) peers[peer_count++] = &rows[i];
+}
+
+/* Their points, with prt.h's of the same build and bands beside them. */
+static void print_peers(FILE *csv, const rotation_point *points, int count, int real_bytes) {
+    int i, k;
+    for (i = 0; i < peer_count; i++)
+        for (k = 0; k < count; k++) {
+            rotation_point p;
+            if (strcmp(points[k].form, "one shot") || peers[i]->real_bytes != real_bytes
+                || !bench_has_band(peers[i]->bands, points[k].bands)) continue;
+            p = real_bytes == 4 ? rotation_peer_float(turned, peers[i], points[k].bands)
+                                : rotation_peer_double(turned, peers[i], points[k].bands);
+            printf("%s, %d bands: %.4g ns, error %.1e; prt.h %.2f of its time, error %.1e\n", p.form, p.bands, p.ns,
+                   p.error, points[k].ns / p.ns, points[k].error);
+            if (csv) fprintf(csv, "peer,%s,%s,%d,%.4g,%.3g,%.3f,%.3g\n", p.form, real_bytes == 4 ? "float" : "double",
+                             p.bands, p.ns, p.error, points[k].ns / p.ns, points[k].error);
+        }
+}
+
+/* What was kept of a run with peers goes onto the page: few have their code. */
+static void page_peers(FILE *page, const char *path) {
+    FILE *csv = path && page ? fopen(path, "r") : NULL;
+    char line[512], name[256], build[16];
+    int bands, rows = 0;
+    double ns, error, ratio, own;
+    while (csv && fgets(line, sizeof line, csv)) {
+        if (sscanf(line, "peer,%255[^,],%15[^,],%d,%lf,%lf,%lf,%lf", name, build, &bands, &ns, &error, &ratio, &own) != 7)
+            continue;
+        if (!rows++)
+            fprintf(page, "\nOthers, in runs side by side (bench/peer.h; kept in bench/results/rotation-peers.csv):\n\n"
+                          "| one vector, one rotation | bands | ns | error | prt.h, of that time | prt.h, error |\n"
+                          "|---|--:|--:|--:|--:|--:|\n");
+        fprintf(page, "| %s, %s | %d | %.4g | %.1e | %.2f | %.1e |\n", name, build, bands, ns, error, ratio, own);
+    }
+    if (csv) fclose(csv);
+}
+
 static void page_head(FILE *page) {
     fprintf(page, "# Rotation and cpherical harmonics, measured\n\n"
                   "<!-- Written by bench/rotation: do not edit. `make -C build docs-rotation` measures and writes anew. -->\n\n"
@@ -130,7 +177,7 @@ static void page_head(FILE *page) {
             BENCH_FLAGS);
 }
 
-static void print_points(FILE *csv, FILE *page) {
+static void print_points(FILE *csv, FILE *page, FILE *peer_csv) {
     static rotation_point points[3][ROTATION_POINTS];
     static const char *const build[3] = { "float", "double", "portable" };
     int count[3], i, k;
@@ -139,6 +186,10 @@ static void print_points(FILE *csv, FILE *page) {
     count[2] = rotation_points_portable(turned, ch_basis, points[2]);
     if (csv) fprintf(csv, "# machine: %s\n# compiler: %s %s\nwhat,form,build,bands,ns,error\n", bench_cpu_name(),
                      BENCH_COMPILER, BENCH_FLAGS);
+    if (peer_csv) fprintf(peer_csv, "# machine: %s\n# compiler: %s %s\nwhat,form,build,bands,ns,error,ratio,own_error\n",
+                          bench_cpu_name(), BENCH_COMPILER, BENCH_FLAGS);
+    print_peers(peer_csv, points[0], count[0], 4);
+    print_peers(peer_csv, points[1], count[1], 8);
     for (k = 0; k < 3 && csv; k++)
         for (i = 0; i < count[k]; i++)
             fprintf(csv, "%s,%s,%s,%d,%.4g,%.3g\n", points[k][i].what, points[k][i].form, build[k],
@@ -262,17 +313,21 @@ static void print_streams(FILE *page) {
 }
 
 int main(int argc, char **argv) {
-    const char *csv_path = NULL, *points_path = NULL, *page_path = NULL;
+    const char *csv_path = NULL, *points_path = NULL, *peers_path = NULL, *page_path = NULL;
     const command_option options[] = {
         { "--csv", "FILE", "write the error of blocks", &csv_path, NULL, 0, 0 },
         { "--points", "FILE", "write errors and times", &points_path, NULL, 0, 0 },
+        { "--peers", "FILE", "keep errors and times of peers, if any are plugged in (peer.h), for the page", &peers_path,
+          NULL, 0, 0 },
         { "-o", "FILE", "write the page", &page_path, NULL, 0, 0 }
     };
-    const command line = { "rotation", NULL, NULL, options, 3 };
-    FILE *csv, *points, *page;
+    const command line = { "rotation", NULL, NULL, options, 4 };
+    FILE *csv, *points, *peer_csv, *page;
+    int failed;
     command_read(&line, argc, argv);
     csv = command_open(&line, csv_path);
     points = command_open(&line, points_path);
+    peer_csv = peer_count ? command_open(&line, peers_path) : NULL;
     page = command_open(&line, page_path);
     if (page) page_head(page);
     if (!print_blocks(csv)) {
@@ -281,6 +336,8 @@ int main(int argc, char **argv) {
     }
     print_turns(page);
     print_streams(page);
-    if (points || page) print_points(points, page);
-    return command_close(&line, csv) | command_close(&line, points) | command_close(&line, page);
+    if (points || page || peer_count) print_points(points, page, peer_csv);
+    failed = command_close(&line, peer_csv);
+    page_peers(page, peers_path);
+    return failed | command_close(&line, csv) | command_close(&line, points) | command_close(&line, page);
 }

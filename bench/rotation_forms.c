@@ -46,7 +46,7 @@ int JOIN(rotation_blocks_, ROTATION_ID)(double *published, double *stabilised) {
 
 enum { LARGEST = ROTATION_LARGEST, MOST = LARGEST * LARGEST, ITEMS = 64 };
 typedef struct work {
-    prt_real rotation[9], blocks[LARGEST * (4 * MOST - 1) / 3], f[ITEMS * MOST], out[ITEMS * MOST];
+    prt_real f[ITEMS * MOST], out[ITEMS * MOST], rotation[9], blocks[LARGEST * (4 * MOST - 1) / 3];
     prt_real x[ITEMS], y[ITEMS], z[ITEMS];
     prt_vec3 dirs[ITEMS];
 } work;
@@ -90,6 +90,8 @@ static void prepare(int bands, int trial, work *w) {
     }
 }
 
+static work all __attribute__((aligned(64)));
+
 /* Largest error of one item; its coefficients stand ITEMS apart in rows. */
 static double item_error(int k, int bands, int item, rotation_truth *truth, const work *w) {
     static double in[MOST], want[MOST];
@@ -118,7 +120,6 @@ static double time_of(int k, int bands, work *w) {
 
 int JOIN(rotation_points_, ROTATION_ID)(rotation_truth *turned, rotation_truth *ch, rotation_point *points) {
     static const int all_bands[] = { 2, 3, 4, 5, 6, 8, 10, 16, LARGEST };
-    static work w;
     int k, trial, item, count = 0;
     size_t b;
     for (k = 0; k < WAYS; k++)
@@ -129,15 +130,42 @@ int JOIN(rotation_points_, ROTATION_ID)(rotation_truth *turned, rotation_truth *
             p.bands = all_bands[b];
             p.error = 0;
             for (trial = 0; trial < ROTATION_TRIALS; trial++) {
-                prepare(p.bands, trial, &w);
-                ways[k].run(p.bands, &w);
+                prepare(p.bands, trial, &all);
+                ways[k].run(p.bands, &all);
                 for (item = 0; item < ways[k].items; item += 5)
-                    keep_larger(&p.error, item_error(k, p.bands, item, p.what[0] == 'c' ? ch : turned, &w));
+                    keep_larger(&p.error, item_error(k, p.bands, item, p.what[0] == 'c' ? ch : turned, &all));
             }
-            p.ns = time_of(k, p.bands, &w);
+            p.ns = time_of(k, p.bands, &all);
             if (count < ROTATION_POINTS) points[count++] = p;
         }
     return count;
+}
+
+/* Its error is taken as that of one shot, way 0. */
+rotation_point JOIN(rotation_peer_, ROTATION_ID)(rotation_truth *turned, const bench_peer *peer, int bands) {
+    rotation_point p = { "peer", NULL, 0, 0, 0 };
+    bench_data data;
+    int trial, round, repeats = 1 + 200000 / (bands * bands * bands + 200);
+    memset(&data, 0, sizeof data);
+    data.f = all.f;
+    data.rotation = all.rotation;
+    data.out = all.out;
+    data.out_bytes = sizeof all.out;
+    p.form = peer->name;
+    p.bands = bands;
+    for (trial = 0; trial < ROTATION_TRIALS; trial++) {
+        prepare(bands, trial, &all);
+        peer->run(&data, bands, 1, 1);
+        keep_larger(&p.error, item_error(0, bands, 0, turned, &all));
+    }
+    p.ns = HUGE_VAL;
+    for (round = 0; round < 15; round++) {
+        double start = bench_seconds(), t;
+        peer->run(&data, bands, 1, repeats);
+        t = (bench_seconds() - start) * 1e9 / repeats;
+        if (t < p.ns) p.ns = t;
+    }
+    return p;
 }
 
 /* ---- a thousand turns, and memory ---- */

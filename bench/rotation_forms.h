@@ -3,6 +3,8 @@
 #ifndef ROTATION_FORMS_H
 #define ROTATION_FORMS_H
 
+#include "bench.h"
+
 enum { ROTATION_BANDS = 128, ROTATION_TRIALS = 4, ROTATION_POINTS = 128, ROTATION_LARGEST = 32 };
 
 /* Error and time of one way to compute something with so many bands. */
@@ -14,6 +16,8 @@ typedef struct rotation_point { const char *what, *form; int bands; double ns, e
 typedef void rotation_truth(int bands, const double *r_or_d, const double *f, double *want);
 
 #define ROTATION_FUNCTIONS(id) \
+    /* the same point of somebody else's way to turn a vector (peer.h), job "rotate". */ \
+    rotation_point rotation_peer_##id(rotation_truth *turned, const bench_peer *peer, int bands); \
     /* error[l] = largest |M M^T - 1| of band l over ROTATION_TRIALS rotations; 0 if there was no memory. */ \
     int rotation_blocks_##id(double *published, double *stabilised); \
     /* error against time of rotation and of CH; returns how many points. */ \
