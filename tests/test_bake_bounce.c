@@ -228,8 +228,8 @@ static double cosine_lobe(int l) {
 
 /* A hemispherical bowl of albedo a under the sky. Half of the cosine-weighted hemisphere over any of its points is bowl,
    and every part of the bowl the same share of it, so that bounce one is a/2 times the mean of what is interpolated
-   between its vertices, which is 1/3 of the bottom and 1/6 of each of the four on the rim. Under L = 1 every point then has
-   T = 1/2 + a/2 T, so T = 1/(2-a). */
+   between its vertices, which is 1/3 of the bottom and 1/6 of each of the four on the rim. Under L = 1 every point
+   then has T = 1/2 + a/2 T, so T = 1/(2-a). */
 static void a_bowl_under_the_sky(void **state) {
     prt_real previous[64 * N], total[64 * N];
     double a = 0.8, want[N];
@@ -249,6 +249,34 @@ static void a_bowl_under_the_sky(void **state) {
     for (k = 0; k < 64 * N; k++) previous[k] = k % N ? 0 : (prt_real)(0.5 * cosine_lobe(0));
     assert_int_equal(prt_bake_bounces(&s.desc, 40, 0, s.point_count, s.points, previous, total, NULL), PRT_OK);
     for (k = 6; k < s.point_count; k++) assert_near((double)total[k * N] / cosine_lobe(0), 1 / (2 - a), 4e-3);
+}
+
+/* Equation 2 of [Chen 2005] as printed adds to M(b-1) what M(b-1), all bounces so far, sends on: M(b) = (1 + K)
+   M(b-1), so that bounce k enters binomially often; the series is M(b) = M(0) + K M(b-1). Under L = 1 in the bowl:
+   after b steps (1 + a/2)^b / 2 instead of something below 1/(2-a). */
+static void equation_2_of_chen_as_printed(void **state) {
+    enum { STEPS = 8 };
+    prt_real previous[64 * N], sum[64 * N], next[64 * N];
+    double a = 0.8;
+    setup s;
+    int k, b;
+    (void)state;
+    begin_bowl(&s, 0, 40);
+    s.object.albedo = rgb(a, a, a);
+    s.desc.samples = 2048;
+    for (k = 0; k < 64 * N; k++) previous[k] = k % N ? 0 : (prt_real)(0.5 * cosine_lobe(0));
+    memcpy(sum, previous, sizeof sum);
+    for (b = 0; b < STEPS; b++) {
+        assert_int_equal(prt_bake_bounce(&s.desc, s.point_count, s.points, sum, 0, s.point_count, next), PRT_OK);
+        assert_int_equal(prt_bounce_add(BANDS, s.point_count, 1, next, 1, sum, NULL), PRT_OK);
+    }
+    printf("bowl of albedo .8 under L = 1, %d bounces: equation 2 as printed %.2f, right %.4f, all bounces %.4f\n",
+           STEPS, (double)sum[6 * N] / cosine_lobe(0), 0.5 * (1 - pow(a / 2, STEPS + 1)) / (1 - a / 2), 1 / (2 - a));
+    for (k = 6; k < s.point_count; k++)
+        assert_near((double)sum[k * N] / cosine_lobe(0) / (0.5 * pow(1 + a / 2, STEPS)), 1, STEPS * 4e-3);
+    assert_int_equal(prt_bake_bounces(&s.desc, STEPS, 0, s.point_count, s.points, previous, sum, NULL), PRT_OK);
+    for (k = 6; k < s.point_count; k++)
+        assert_near((double)sum[k * N] / cosine_lobe(0), 0.5 * (1 - pow(a / 2, STEPS + 1)) / (1 - a / 2), 4e-3);
 }
 
 /* Reciprocity: the mean of T0 over the bowl is the light that falls through its opening, (l,0) of max(0,z)/pi times
@@ -651,6 +679,7 @@ int main(void) {
         cmocka_unit_test(a_plane_below),
         cmocka_unit_test(inside_a_sphere),
         cmocka_unit_test(a_bowl_under_the_sky),
+        cmocka_unit_test(equation_2_of_chen_as_printed),
         cmocka_unit_test(the_bowl_receives_what_falls_in),
         cmocka_unit_test(nothing_is_hit_nothing_bounces),
         cmocka_unit_test(energy_is_conserved),

@@ -209,6 +209,14 @@ static void shade(source *s, int bands, size_t n) {
     size_t items = count > 0 && count <= 9 ? (size_t)count : 0;
     if (count > 9) count = -count;
     CHECK(prt_shade_diffuse_n(bands, count, reals(s, items * n), maybe(s, reals(s, 3 * n)), (prt_rgb *)out(s, 3 * items)));
+    CHECK(prt_shade_diffuse_rgb_n(bands, count, reals(s, 3 * items * n), maybe(s, reals(s, 3 * n)),
+                                  (prt_rgb *)out(s, 3 * items)));
+    CHECK(prt_shade_glossy_n(bands, count, reals(s, 3 * items * n), maybe(s, reals(s, n)),
+                             (const prt_vec3 *)(const void *)maybe(s, reals(s, 3 * items)),
+                             (prt_rgb *)out(s, 3 * items)));
+    if (n <= 25)
+        CHECK(prt_shade_incident(bands, bands, items % 2 ? 1 : 3, reals(s, 3 * n * n), maybe(s, reals(s, 3 * n)),
+                                 out(s, 3 * n)));
 }
 
 static void multiply(source *s, int bands, size_t n) {
