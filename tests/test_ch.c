@@ -544,6 +544,7 @@ static void product_is_the_product(void **state) {
 
 static void bad_rotations_and_factors_write_nothing(void **state) {
     prt_real identity[9] = { 1, 0, 0, 0, 1, 0, 0, 0, 1 }, skew[9] = { 1, 0.5, 0, 0, 1, 0, 0, 0, 1 };
+    static const prt_real twice[9] = { 2, 0, 0, 0, 2, 0, 0, 0, 2 }, zero[9] = { 0 };
     prt_real f[4] = { 1, 2, 3, 4 }, out[4] = { 7, 7, 7, 7 };
     static const prt_real untouched[4] = { 7, 7, 7, 7 };
     (void)state;
@@ -553,6 +554,8 @@ static void bad_rotations_and_factors_write_nothing(void **state) {
     assert_int_equal(prt_ch_rotate(2, identity, NULL, out), PRT_ERR_NULL);
     assert_int_equal(prt_ch_rotate(2, identity, f, NULL), PRT_ERR_NULL);
     assert_int_equal(prt_ch_rotate(2, skew, f, out), PRT_ERR_ROTATION);
+    assert_int_equal(prt_ch_rotate(2, twice, f, out), PRT_ERR_ROTATION);
+    assert_int_equal(prt_ch_rotate(2, zero, f, out), PRT_ERR_ROTATION);
     skew[1] = (prt_real)NAN;
     assert_int_equal(prt_ch_rotate(2, skew, f, out), PRT_ERR_ROTATION);
     assert_int_equal(prt_ch_product(0, f, f, out), PRT_ERR_BANDS);
@@ -560,6 +563,80 @@ static void bad_rotations_and_factors_write_nothing(void **state) {
     assert_int_equal(prt_ch_product(2, NULL, f, out), PRT_ERR_NULL);
     assert_int_equal(prt_ch_product(2, f, NULL, out), PRT_ERR_NULL);
     assert_int_equal(prt_ch_product(2, f, f, NULL), PRT_ERR_NULL);
+    assert_memory_equal(out, untouched, sizeof out);
+}
+
+/* A mirror is accepted: f'(x, y, -z) = f(x, y, z). */
+static void reflections_work(void **state) {
+    static const prt_real mirror[9] = { 1, 0, 0, 0, 1, 0, 0, 0, -1 };
+    prt_real f[64], out[64];
+    int i, n;
+    (void)state;
+    for (n = 1; n <= 8; n++) {
+        prt_vec3 d = prt__vec3(PRT__R(0.48), PRT__R(-0.64), PRT__R(0.6)), e = d;
+        e.z = -d.z;
+        for (i = 0; i < n * n; i++) f[i] = (prt_real)((i * 37 % 17) - 8) / 8;
+        assert_int_equal(prt_ch_rotate(n, mirror, f, out), PRT_OK);
+        assert_near(prt_ch_at(n, out, e), (double)prt_ch_at(n, f, d), BY_PRECISION(1e-5, 2e-14));
+    }
+}
+
+/* One band: C is the constant 1/(2 sqrt pi), and coefficients, moments and SH are one number. */
+static void one_band_is_a_number(void **state) {
+    prt_real f = PRT__R(2.5), g = PRT__R(-1.5), out = 0;
+    const double c = 0.28209479177387814;
+    (void)state;
+    assert_int_equal(prt_ch_eval(1, prt__vec3(0, 0, 1), &out), PRT_OK);
+    assert_near(out, c, BY_PRECISION(2e-8, 1e-16));
+    assert_int_equal(prt_ch_from_sh(1, &f, &out), PRT_OK);
+    assert_near(out, 2.5, 0);
+    assert_int_equal(prt_ch_to_moments(1, &f, &out), PRT_OK);
+    assert_near(out, 2.5, 0);
+    assert_int_equal(prt_ch_product(1, &f, &g, &out), PRT_OK);
+    assert_near(out, -3.75 * c, BY_PRECISION(1e-7, 1e-15));
+    assert_near(prt_ch_dot(1, &f, &g), -3.75, 0);
+}
+
+/* What is not finite comes out again, and stops nothing. */
+static void nan_goes_in_and_comes_out(void **state) {
+    static const double odd[] = { NAN, INFINITY, -INFINITY };
+    static const prt_real identity[9] = { 1, 0, 0, 0, 1, 0, 0, 0, 1 };
+    prt_real f[144], g[144], out[144];
+    int n, i, k, l, m;
+    (void)state;
+    for (n = 2; n <= 12; n++)
+        for (k = 0; k < 3; k++) {
+            int at_l = (int)sqrt(n * n / 2 + 0.5), at_m = n * n / 2 - at_l * (at_l + 1);
+            for (i = 0; i < n * n; i++) f[i] = g[i] = (prt_real)((i * 37 % 17) - 8) / 8;
+            f[n * n / 2] = (prt_real)odd[k];
+            assert_int_equal(prt_ch_from_sh(n, f, out), PRT_OK);
+            assert_true(FAST_MATH || !prt__finite(out[n * n / 2]));
+            for (l = 0; l < n; l++)                    /* others than its m and parity are not touched */
+                for (m = -l; m <= l; m++)
+                    if (m != at_m || (l - at_l) % 2) assert_true(prt__finite(out[PRT_SH_INDEX(l, m)]));
+            assert_int_equal(prt_ch_from_moments(n, f, out), PRT_OK);
+            assert_true(FAST_MATH || !prt__finite(out[n * n / 2]));
+            assert_int_equal(prt_ch_product(n, f, g, out), PRT_OK);
+            assert_true(FAST_MATH || !prt__finite(out[n * n / 2]));
+            assert_int_equal(prt_ch_rotate(n, identity, f, out), PRT_OK);
+            assert_true(FAST_MATH || !prt__finite(out[n * n / 2]));
+            assert_true(FAST_MATH || !prt__finite(prt_ch_dot(n, f, g)));
+        }
+}
+
+static void bad_conversions_write_nothing(void **state) {
+    typedef prt_result conversion(int bands, const prt_real *in, prt_real *out);
+    static conversion *const conversions[] = { prt_ch_from_sh, prt_sh_from_ch, prt_ch_from_moments, prt_ch_to_moments };
+    static const prt_real f[4] = { 1, 2, 3, 4 }, untouched[4] = { 7, 7, 7, 7 };
+    prt_real out[4] = { 7, 7, 7, 7 };
+    int i;
+    (void)state;
+    for (i = 0; i < 4; i++) {
+        assert_int_equal(conversions[i](0, f, out), PRT_ERR_BANDS);
+        assert_int_equal(conversions[i](PRT_MAX_BANDS + 1, NULL, out), PRT_ERR_BANDS);
+        assert_int_equal(conversions[i](2, NULL, out), PRT_ERR_NULL);
+        assert_int_equal(conversions[i](2, f, NULL), PRT_ERR_NULL);
+    }
     assert_memory_equal(out, untouched, sizeof out);
 }
 
@@ -598,6 +675,8 @@ int main(void) {
         cmocka_unit_test(moments_give_the_projection), cmocka_unit_test(dot_is_the_integral),
         cmocka_unit_test(rotation_moves_the_features),
         cmocka_unit_test(product_is_the_product), cmocka_unit_test(bad_rotations_and_factors_write_nothing),
+        cmocka_unit_test(reflections_work), cmocka_unit_test(one_band_is_a_number),
+        cmocka_unit_test(nan_goes_in_and_comes_out), cmocka_unit_test(bad_conversions_write_nothing),
         cmocka_unit_test(bad_arguments_write_nothing)
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
