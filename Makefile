@@ -84,7 +84,7 @@ docs-shaders:
 docs:
 	@for page in docs-bench bounces vo fiv advise stability portability docs-shaders; do $(MAKE) $$page || exit 1; done
 
-gen gen-check icount-update:
+gpu gen gen-check icount-update:
 	@$(without_tests)
 	@cmake --build $(BUILD)/tools -j$(JOBS) --target $@
 
@@ -106,4 +106,4 @@ install:
 clean:
 	rm -rf $(BUILD) out
 
-.PHONY: help test demo vo bounces fiv advise bench docs docs-bench docs-shaders gen gen-check icount-update fuzz stability portability install clean
+.PHONY: help test demo vo bounces fiv advise bench docs docs-bench docs-shaders gpu gen gen-check icount-update fuzz stability portability install clean
