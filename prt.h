@@ -8502,40 +8502,45 @@ PRT__STATIC prt_vec3 prt__turned(prt_vec3 v, const double axis[3], double sine, 
                      (prt_real)(cosine * z + sine * (axis[0] * y - axis[1] * x) + rest * axis[2]));
 }
 
-/* The turn of one wave: its axis, and sine and cosine of atan(slope). 0 if the wave cannot be. */
-PRT__STATIC int prt__vo_wave_turn(const prt_vo_wave *wave, prt_real time, prt_vec3 at, double axis[3], double turn[2]) {
+/* One wave at one place and time: the axis of its turn, its steepest slope, and where in the wave the place is. 0 if
+   it cannot be. */
+typedef struct prt__vo_swell { double axis[3], steepest, phase; } prt__vo_swell;
+
+PRT__STATIC int prt__vo_swell_of(const prt_vo_wave *wave, prt_real time, prt_vec3 at, prt__vo_swell *s) {
     prt_vec3 along, across;
-    double f = (double)wave->frequency, slope, length, root;
+    double *axis = s->axis, length;
     if (!prt__unit(wave->along, &along) || !prt__unit(wave->across, &across)) return 0;
     axis[0] = (double)along.y * (double)across.z - (double)along.z * (double)across.y;
     axis[1] = (double)along.z * (double)across.x - (double)along.x * (double)across.z;
     axis[2] = (double)along.x * (double)across.y - (double)along.y * (double)across.x;
     length = sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
-    slope = f * (double)time + (double)wave->phase + (double)along.x * (double)at.x + (double)along.y * (double)at.y +
-            (double)along.z * (double)at.z;
-    slope = f * (double)wave->amplitude * cos(slope);
-    if (!(fabs(length - 1) <= 1e-3) || !(fabs(slope) <= DBL_MAX)) return 0;
+    s->phase = (double)wave->frequency * (double)time + (double)wave->phase + (double)along.x * (double)at.x +
+               (double)along.y * (double)at.y + (double)along.z * (double)at.z;
+    s->steepest = (double)wave->frequency * (double)wave->amplitude;
+    if (!(fabs(length - 1) <= 1e-3) || !(fabs(s->phase) <= DBL_MAX) || !(fabs(s->steepest) <= DBL_MAX)) return 0;
     axis[0] /= length; axis[1] /= length; axis[2] /= length;
-    root = fabs(slope) < 1e150 ? sqrt(1 + slope * slope) : fabs(slope);
-    turn[0] = slope / root;
-    turn[1] = 1 / root;
     return 1;
 }
 
 PRTDEF prt_result prt_vo_bend(int wave_count, const prt_vo_wave *waves, prt_real time, prt_vec3 position,
                               int count, const prt_vo_occluder *occluders, prt_vo_occluder *out) {
-    double axis[3], turn[2];
+    prt__vo_swell s;
     int j, k;
     if (wave_count < 0 || count < 0) return PRT_ERR_COUNT;
     if ((wave_count > 0 && !waves) || (count > 0 && (!occluders || !out))) return PRT_ERR_NULL;
     for (j = 0; j < wave_count; j++)
-        if (!prt__vo_wave_turn(&waves[j], time, position, axis, turn)) return PRT_ERR_VALUE;
+        if (!prt__vo_swell_of(&waves[j], time, position, &s)) return PRT_ERR_VALUE;
     if (out != occluders && count > 0) memcpy(out, occluders, (size_t)count * sizeof *out);
     for (j = 0; j < wave_count; j++) {
-        prt__vo_wave_turn(&waves[j], time, position, axis, turn);
+        double slope, root, sine, cosine;
+        prt__vo_swell_of(&waves[j], time, position, &s);
+        slope = s.steepest * cos(s.phase);
+        root = fabs(slope) < 1e150 ? sqrt(1 + slope * slope) : fabs(slope);
+        sine = slope / root;
+        cosine = 1 / root;
         for (k = 0; k < count; k++) {
-            out[k].occlusion = prt__turned(out[k].occlusion, axis, turn[0], turn[1]);
-            out[k].caustic = prt__turned(out[k].caustic, axis, turn[0], turn[1]);
+            out[k].occlusion = prt__turned(out[k].occlusion, s.axis, sine, cosine);
+            out[k].caustic = prt__turned(out[k].caustic, s.axis, sine, cosine);
         }
     }
     return PRT_OK;
