@@ -1373,15 +1373,19 @@ PRT__STATIC void prt__feelers_layout(prt__feelers *f, unsigned char *memory, siz
 }
 
 /* Rays along the directions in x, y, z, that have met nothing yet. */
-PRT__STATIC void prt__feelers_start(prt__feelers *f, prt_vec3 origin, int count) {
+PRT__STATIC void prt__start_rays(prt_vec3 origin, int count, const prt_real *x, const prt_real *y, const prt_real *z,
+                                 prt_ray *rays, prt_hit *hits) {
     int k;
     for (k = 0; k < count; k++) {
-        f->rays[k].origin = origin;
-        f->rays[k].dir = prt__vec3(f->x[k], f->y[k], f->z[k]);
-        f->rays[k].tmin = 0;
-        f->rays[k].tmax = PRT__R(FLT_MAX);
-        f->hits[k].object = -1;
+        rays[k].origin = origin;
+        rays[k].dir = prt__vec3(x[k], y[k], z[k]);
+        rays[k].tmin = 0;
+        rays[k].tmax = PRT__R(FLT_MAX);
+        hits[k].object = -1;
     }
+}
+PRT__STATIC void prt__feelers_start(prt__feelers *f, prt_vec3 origin, int count) {
+    prt__start_rays(origin, count, f->x, f->y, f->z, f->rays, f->hits);
 }
 PRT__STATIC int prt__feelers_trace(prt__feelers *f, const prt_tracer *tracer, prt_vec3 origin, int count) {
     prt__feelers_start(f, origin, count);
@@ -2871,7 +2875,7 @@ PRTDEF prt_result prt_bake_fiv_inside(const prt_fiv_desc *desc, int first, int c
 
 enum { PRT__VO_SAMPLES = 4096, PRT__VO_OCCLUDERS = 5, PRT__VO_BENDS = 8 };
 enum { PRT__VO_MIRRORS = PRT_VO_NO_DS | PRT_VO_NO_SS };         /* neither of them: no mirror rays */
-enum { PRT__VO_BATCH = PRT_BAKE_BATCH / PRT__BLOCK * PRT__BLOCK };
+enum { PRT__VO_BATCH = PRT__POINT_BATCH };
 
 PRT__STATIC int prt__rgb_any(prt_rgb c) { return c.r > 0 || c.g > 0 || c.b > 0; }
 
@@ -3228,13 +3232,7 @@ PRT__STATIC prt_result prt__vo_feel(prt__vo_bake *b, prt_vec3 origin, int count)
     prt__vo_event e;
     prt__vo_path path;
     prt_result r;
-    for (k = 0; k < count; k++) {
-        b->rays[k].origin = origin;
-        b->rays[k].dir = prt__vec3(b->x[k], b->y[k], b->z[k]);
-        b->rays[k].tmin = 0;
-        b->rays[k].tmax = PRT__R(FLT_MAX);
-        b->hits[k].object = -1;
-    }
+    prt__start_rays(origin, count, b->x, b->y, b->z, b->rays, b->hits);
     if (tracer->closest(tracer->user, count, b->rays, b->hits)) return PRT_ERR_TRACE;
     for (k = 0; k < count; k++) {
         if (b->hits[k].object < 0) continue;
