@@ -219,6 +219,30 @@ static void shade(source *s, int bands, size_t n) {
                                  out(s, 3 * n)));
 }
 
+static void shade_packed(source *s, int bands, size_t n) {
+    int first = take_int(s, -1, 3), count = take_int(s, -1, 6), storage = take_int(s, 0, 3);
+    size_t rows, size, k;
+    prt_packed_transfer packed;
+    unsigned char *data;
+    if (first > 3) first = -first;
+    if (count > 6) count = -count;
+    rows = first >= 0 && count >= 0 ? (size_t)(first + count) : 0;
+    size = rows * n * (storage == PRT_STORAGE_8 ? 1 : 2);
+    data = (unsigned char *)room(size);
+    for (k = 0; k < size; k++) data[k] = (unsigned char)take(s);
+    packed.bands = bands;
+    packed.storage = (prt_storage)storage;
+    packed.data = take(s) == 255 ? NULL : data;
+    packed.low = maybe(s, reals(s, n));
+    packed.step = maybe(s, reals(s, n));
+    if (take(s) % 2) {
+        const prt_real *light = maybe(s, reals(s, 3 * n));
+        CHECK(prt_shade_packed_n(&packed, first, count, light, (prt_rgb *)out(s, 3 * rows)));
+    } else {
+        CHECK(prt_transfer_unpack(&packed, first, count, out(s, rows * n)));
+    }
+}
+
 static void multiply(source *s, int bands, size_t n) {
     const prt_real *f = maybe(s, reals(s, n)), *g = maybe(s, reals(s, n));
     int window = take_int(s, -1, 4), count = take_int(s, -1, 20);
@@ -337,7 +361,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         case 1: project(&s, bands, n); break;
         case 2: transform(&s, bands, n); break;
         case 3: rotate(&s, bands, n); break;
-        case 4: shade(&s, bands, n); break;
+        case 4: if (take(&s) % 2) shade(&s, bands, n); else shade_packed(&s, bands, n); break;
         case 5: multiply(&s, bands, n); break;
         case 6: smooth(&s, bands, n); break;
         case 7: occlude(&s); break;
