@@ -27,6 +27,7 @@ static const char usage[] =
     "  --check N          vertices at which rays are traced and errors measured [512]\n"
     "  --rays N           most rays a vertex that a bake may take, 64, 256, 1024 or 4096 are tried [4096]\n"
     "  --lights N         the light is the environment cut into N point lights, 1 ... 64 [the environment itself]\n"
+    "  --moving MESH      another mesh of half the size moves around: it stands at 8 places in turn\n"
     "  --floor            put the mesh on a round floor\n"
     "  --z-up             the file's up is +z [+y]\n"
     "  --seed N           another choice of vertices and rays [0]\n"
@@ -44,7 +45,7 @@ static const char usage[] =
     "harmonics of as many bands span, at the same cost.\n";
 
 const char *const method_names[METHOD_COUNT] = { "normal only", "ambient occlusion", "transfer",
-                                                 "vector occluders" };
+                                                 "vector occluders", "transfer and FIV" };
 const char *const stored_names[STORED_COUNT] = { "nothing", "float", "half", "16 bits", "8 bits" };
 const int stored_bits[STORED_COUNT] = { 0, 32, 16, 16, 8 };
 static const char *const window_names[] = { "none", "Hann", "Lanczos", "positive" };
@@ -64,7 +65,8 @@ static int parse_error(const char *text, options *o, why *w) {
 }
 
 static int parse_text(const char *word, const char *next, options *o, int *known, why *w) {
-    struct { const char *name, **value; } texts[] = { { "--csv", &o->csv }, { "--plot", &o->plot } };
+    struct { const char *name, **value; } texts[] = { { "--csv", &o->csv }, { "--plot", &o->plot },
+                                                       { "--moving", &o->moving } };
     size_t k;
     for (k = 0; k < sizeof texts / sizeof *texts; k++) {
         if (strcmp(word, texts[k].name)) continue;
@@ -127,6 +129,7 @@ static int parse(int count, char **words, options *o, why *w) {
         else return why_set(w, "%s: a third file beside %s and %s", word, o->mesh, o->environment);
     }
     if (o->help) return 0;
+    if (o->moving && o->lights) return why_set(w, "--moving and --lights: one at a time");
     if (!o->mesh || !o->environment) return why_set(w, "wants a mesh and an environment (--help explains)");
     if (o->error_count == 0) o->errors[o->error_count++] = 0.02;
     if (o->plot && (strchr(o->plot, '\'') || (!ends_with(o->plot, ".svg") && !ends_with(o->plot, ".png"))))
@@ -145,7 +148,7 @@ double trial_uncertainty(const trial *t) {
     return e > 0 && t->square_error < t->square ? t->square_error / (2 * e) : above;
 }
 
-void trial_judge(trial *t, const truth *is, const prt_rgb *colors) {
+void trial_judge(trial *t, const traced *is, const prt_rgb *colors) {
     double sum = 0, squares = 0, scale = 1 / (is->mean * is->mean);
     int k, c;
     for (k = 0; k < is->count; k++) {
@@ -183,6 +186,7 @@ double time_of(void (*work)(void *user), void *user) {
 static int by_cost(const trial *a, const trial *b, int by_time) {
     double first = by_time ? a->ns - b->ns : a->bytes - b->bytes;
     double second = a->method != b->method ? (double)a->method - (double)b->method : a->bands - b->bands;
+    if (first == 0) first = a->kilobytes - b->kilobytes;
     if (first != 0) return first < 0 ? -1 : 1;
     if (second != 0) return second < 0 ? -1 : 1;
     if (a->stored != b->stored) return a->stored < b->stored ? -1 : 1;
@@ -205,12 +209,19 @@ static void describe(const trial *t, char *text, size_t size) {
     if (t->bands)
         snprintf(bands, sizeof bands, ", %d band%s, window %s", t->bands, t->bands > 1 ? "s" : "",
                  window_names[t->window]);
+    if (t->method == METHOD_FIV) {
+        char table[100];
+        moving_describe(t, table, sizeof table);
+        snprintf(text, size, "%s, %d bands%s, %s; %s", method_names[t->method], t->bands, rays, stored_names[t->stored],
+                 table);
+        return;
+    }
     if (t->stored) snprintf(as, sizeof as, ", %s", stored_names[t->stored]);
     snprintf(text, size, "%s%s%s%s", method_names[t->method], bands, rays, as);
 }
 
 static void print_row(const trial *t) {
-    char settings[48];
+    char settings[80];
     if (t->method == METHOD_VO)
         snprintf(settings, sizeof settings, "%d of %d, %d rays, %s law", t->kept, t->groups, t->rays,
                  t->law == PRT_VO_CAP ? "cap" : "sine");
@@ -220,6 +231,10 @@ static void print_row(const trial *t) {
     printf("%-18s %-30s %6.0f %7.1f  %7.2f +- %4.2f", method_names[t->method], settings, t->bytes, t->ns,
            100 * trial_error(t), 100 * trial_uncertainty(t));
     if (t->predicted >= 0) printf("   %7.2f", 100 * t->predicted);
+    if (t->method == METHOD_FIV) {
+        moving_describe(t, settings, sizeof settings);
+        printf("   %s", settings);
+    }
     printf("\n");
 }
 
@@ -301,7 +316,8 @@ int write_csv(const advisor *a, why *w) {
     replacement file;
     int k;
     if (replacement_open(a->o.csv, &file, w)) return -1;
-    fprintf(file.file, "method,bands,rays,window,stored,bytes,ns,error,standard_error,foretold,groups,kept,law\n");
+    fprintf(file.file, "method,bands,rays,window,stored,bytes,ns,error,standard_error,foretold,groups,kept,law,"
+                       "kilobytes\n");
     for (k = 0; k < a->trial_count; k++) {
         const trial *t = &a->trials[k];
         fprintf(file.file, "%s,%d,%d,%s,%s,%g,%g,%g,%g,", method_names[t->method], t->bands, t->rays,
@@ -309,8 +325,8 @@ int write_csv(const advisor *a, why *w) {
                 trial_uncertainty(t));
         if (t->predicted >= 0) fprintf(file.file, "%g", t->predicted);
         if (t->method == METHOD_VO)
-            fprintf(file.file, ",%d,%d,%s\n", t->groups, t->kept, t->law == PRT_VO_CAP ? "cap" : "sine");
-        else fprintf(file.file, ",,,\n");
+            fprintf(file.file, ",%d,%d,%s,\n", t->groups, t->kept, t->law == PRT_VO_CAP ? "cap" : "sine");
+        else fprintf(file.file, ",,,,%g\n", t->kilobytes);
     }
     return replacement_commit(&file, w);
 }
@@ -404,6 +420,7 @@ int main(int count, char **words) {
         mesh_free(&a.mesh);
         environment_free(&a.environment);
         free(a.lights);
+        moving_free(&a);
     }
     if (status < 0) fprintf(stderr, "advise: %s\n", w.line);
     if (interrupted) {

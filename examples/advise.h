@@ -7,10 +7,10 @@
 #include "mesh.h"
 #include "program.h"
 
-enum { MOST_ERRORS = 8, MOST_BANDS = 16, LIGHT_BANDS = 20, MOST_TRIALS = 2048, HALVES = 2, MOST_LIGHTS = 64 };
+enum { MOST_ERRORS = 8, MOST_BANDS = 16, LIGHT_BANDS = 20, MOST_TRIALS = 4096, HALVES = 2, MOST_LIGHTS = 64 };
 
 typedef struct options {
-    const char *mesh, *environment, *plot, *csv;
+    const char *mesh, *environment, *moving, *plot, *csv;
     double     errors[MOST_ERRORS];
     int        error_count, check, rays, threads, lights, floor, z_up, by_time, all, rows, help;
     uint64_t   seed;
@@ -21,6 +21,7 @@ typedef enum method {
     METHOD_AO,                         /* that times ambient occlusion */
     METHOD_SH,                         /* transfer vectors */
     METHOD_VO,                         /* vector occluders, of point lights */
+    METHOD_FIV,                        /* transfer vectors, and irradiance vectors of a moving occluder */
     METHOD_COUNT
 } method;
 extern const char *const method_names[METHOD_COUNT];
@@ -37,24 +38,27 @@ typedef struct trial {
     prt_window window;                 /* of the light; width = bands */
     stored     stored;
     int        groups, kept, law;      /* vector occluders: groups of faces, occluders kept a vertex, prt_vo_law */
+    int        grid;                   /* irradiance vectors: which table */
+    stored     table;
     double     bytes, ns;              /* a vertex */
+    double     kilobytes;              /* of the table */
     double     square, square_error;   /* mean square error and its standard error */
     double     predicted;              /* error foretold by >>measure, or -1 */
 } trial;
 
 /* Exit radiance at the checked vertices by ray tracing: two independent halves. */
-typedef struct truth {
+typedef struct traced {
     int    count;
     double (*half[HALVES])[3];
     double mean;
-} truth;
+} traced;
 
 /* What is looked at: the scene, a choice of its vertices, and what light falls there. */
 typedef struct checked {
     int        count, *vertex;
     prt_point  *points;                /* [count] */
     uint64_t   seed;
-    truth      truth;
+    traced     truth;
 } checked;
 
 typedef struct advisor {
@@ -63,7 +67,8 @@ typedef struct advisor {
     environment environment;
     embree_tracer tracer;
     prt_real    light[3 * PRT_SH_COUNT(LIGHT_BANDS)];      /* of the environment, or of the point lights */
-    prt_point_light *lights;           /* [o.lights] */
+    prt_point_light *lights;           /* [o.lights]; NULL: none */
+    struct moving *moving;             /* NULL: nothing moves */
     checked     first, second;         /* vertices to choose by, and others to verify on */
     trial       trials[MOST_TRIALS];
     int         trial_count;
@@ -76,7 +81,7 @@ double trial_uncertainty(const trial *t);
 
 /* Mean square error of colours [count] against the two halves of the truth, and its standard error, relative to the
    square of the mean. */
-void trial_judge(trial *t, const truth *is, const prt_rgb *colors);
+void trial_judge(trial *t, const traced *is, const prt_rgb *colors);
 
 /* Keeps a trial; silently drops it when there is no room left. */
 void advisor_keep(advisor *a, const trial *t);
@@ -97,6 +102,19 @@ void lights_shade(const advisor *a, int count, const prt_point *points, prt_rgb 
 int  lights_trace(const advisor *a, const prt_point *p, double sum[3]);
 int  try_occluders(advisor *a, const checked *c, why *w);
 int  verify_occluders(advisor *a, trial *t, why *w);
+
+/* A moving occluder: what it hides of rays that leave vertex k of a choice; its shadow as trials, and taken off
+   colours. */
+int  moving_create(advisor *a, why *w);
+void moving_free(advisor *a);
+int  moving_blocks(const advisor *a, int k, int count, const prt_ray *rays, unsigned char *blocked);
+int  try_moving(advisor *a, const checked *c, const prt_real *const *transfer, const int *rays, int steps, why *w);
+void moving_take(const advisor *a, const checked *c, const trial *t, prt_rgb *colors);
+void moving_describe(const trial *t, char *text, size_t size);
+
+/* Colours of the checked vertices by a trial, from transfer[count][LIGHT_BANDS^2]. */
+int  scene_colors(const advisor *a, const checked *c, const prt_real *transfer, const trial *t, prt_rgb *colors,
+                  why *w);
 
 /* Seconds that `work` takes, the least of several goes, each long enough to be measured. */
 double time_of(void (*work)(void *user), void *user);

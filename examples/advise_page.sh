@@ -24,6 +24,8 @@ for mesh in "$@"; do
         sed -n "s/^    error .*too much; the next one/- $name, $light: &/p" "$work/one" >>"$work/again"
     done
 done
+moving=$models/horse.3ds
+"$advise" "$1" "$data/forest.hdr" --floor --moving $moving --error 0.1 --error 0.05 --error 0.02 >"$work/moving" || [ $? = 3 ] || exit 1
 "$advise" "$1" "$data/sunset.hdr" --floor --lights 8 --error 0.3 --error 0.1 --all >"$work/lights" || [ $? = 3 ] || exit 1
 {
     cat <<END
@@ -84,6 +86,17 @@ occluders a vertex sees (2^entropy of their form factors, \`prt_measure_entropy\
 
 \`\`\`
 $(grep -E '^cut into|^method|^vector occluders|^normal only|^ambient occlusion .* 1024 |^transfer .* 1024  none      8 bits|^for an error|^    error' "$work/lights")
+\`\`\`
+
+## A moving occluder
+
+\`advise $(basename "$1") forest.hdr --floor --moving $(basename $moving) --error 0.1 --error 0.05 --error 0.02\`: another mesh of half the size
+stands at eight places around the scene in turn, and shadows it. Transfer of the scene alone leaves that out; fullsphere irradiance
+vectors take it off what transfer gives, from a table of 3 sizes as floats, halves or bytes. The table's size counts where bytes a
+vertex are equal. ns a vertex are those of one call a vertex and occluder; \`prt_fiv_shade_n\` takes a fifth of that.
+
+\`\`\`
+$(grep -E '^method|^transfer|^for an error|^    error' "$work/moving")
 \`\`\`
 END
 } >"$work/page"

@@ -1,5 +1,5 @@
-/* advise, the ways to light a scene: measures light, transfer and visibility, and tries irradiance of the normal, ambient
-   occlusion and transfer vectors against ray-traced truth. */
+/* advise, the ways to light a scene: measures light, transfer and visibility, and tries irradiance of the normal,
+   ambient occlusion and transfer vectors against ray-traced truth. */
 #define _POSIX_C_SOURCE 200809L
 #include "advise.h"
 
@@ -35,7 +35,7 @@ static int begin_truth(void *user, void **own) {
     return *own ? 0 : -1;
 }
 
-static int trace(const advisor *a, const prt_point *p, int count, const prt_vec3 *dirs, truth_rays *s) {
+static int trace(const advisor *a, const prt_point *p, int at, int count, const prt_vec3 *dirs, truth_rays *s) {
     int k;
     for (k = 0; k < count; k++) {
         s->rays[k].origin = vec_add(p->position, advise_bias, p->normal);
@@ -44,7 +44,8 @@ static int trace(const advisor *a, const prt_point *p, int count, const prt_vec3
         s->rays[k].tmax = (prt_real)1e6;
         s->blocked[k] = 0;
     }
-    return a->tracer.tracer.occluded(a->tracer.tracer.user, count, s->rays, s->blocked);
+    return a->tracer.tracer.occluded(a->tracer.tracer.user, count, s->rays, s->blocked) ||
+           (a->moving && moving_blocks(a, at, count, s->rays, s->blocked));
 }
 
 /* Rays by cosine and rays by light together, as environment_add weighs them. */
@@ -55,7 +56,7 @@ static int trace_half(const advisor *a, const checked *c, int k, int half, truth
     int i, above = 0;
     if (a->lights) return lights_trace(a, p, sum);         /* exact, both times */
     prt_sample_directions(TRUTH_RAYS, seed, index, p->normal, 0, TRUTH_RAYS, s->cosine);
-    if (trace(a, p, TRUTH_RAYS, s->cosine, s)) return -1;
+    if (trace(a, p, k, TRUTH_RAYS, s->cosine, s)) return -1;
     sum[0] = sum[1] = sum[2] = 0;
     for (i = 0; i < TRUTH_RAYS; i++)
         if (!s->blocked[i])
@@ -66,7 +67,7 @@ static int trace_half(const advisor *a, const checked *c, int k, int half, truth
         s->light[above] = environment_sample(&a->environment, (double)s->u[i], (double)s->v[i], &s->texel[above]);
         above += vec_dot(s->light[above], p->normal) > 0;
     }
-    if (trace(a, p, above, s->light, s)) return -1;
+    if (trace(a, p, k, above, s->light, s)) return -1;
     for (i = 0; i < above; i++)
         if (!s->blocked[i])
             environment_add(&a->environment, s->texel[i], vec_dot(s->light[i], p->normal), TRUTH_RAYS, TRUTH_RAYS, sum);
@@ -211,9 +212,11 @@ typedef struct shading {               /* one way to shade some vertices, as tim
     prt_rgb         *out;
 } shading;
 
+static int uses_transfer(const trial *t) { return t->method == METHOD_SH || t->method == METHOD_FIV; }
+
 static void shade(void *user) {
     shading *s = (shading *)user;
-    if (s->t->method == METHOD_SH) {
+    if (uses_transfer(s->t)) {
         if (s->data) prt_shade_packed_n(&s->packed, 0, s->count, s->light, s->out);
         else prt_shade_diffuse_n(s->t->bands, s->count, s->rows, s->light, s->out);
         return;
@@ -246,13 +249,13 @@ static int shading_create(const advisor *a, const trial *t, int count, const prt
     s->out = (prt_rgb *)malloc((size_t)count * sizeof *s->out);
     if (!s->rows || !s->open || !s->out) return why_set(w, "out of memory");
     if (t->bands > 0) windowed_light(a, t->bands, t->window, s->light);
-    if (t->method != METHOD_SH && !a->lights)
+    if (!uses_transfer(t) && !a->lights)
         for (c = 0; c < 3; c++)
             prt_sh_irradiance(t->bands, s->light + c * PRT_SH_COUNT(t->bands), s->light + c * PRT_SH_COUNT(t->bands));
     if (t->method == METHOD_AO)
         for (k = 0; k < count; k++)                        /* as it is stored, in 8 bits */
             s->open[k] = (prt_real)(floor(255 * 2 * sqrt(pi) * (double)all[(size_t)k * LIGHT_COUNT] + 0.5) / 255);
-    if (t->method != METHOD_SH) return 0;
+    if (!uses_transfer(t)) return 0;
     first_bands(t->bands, count, all, s->rows);
     return t->stored == STORED_FLOAT ? 0 : pack(s, w);
 }
@@ -264,14 +267,24 @@ static void shading_free(shading *s) {
     free(s->out);
 }
 
-static int judge(const advisor *a, const checked *c, const prt_real *all, trial *t, why *w) {
+int scene_colors(const advisor *a, const checked *c, const prt_real *transfer, const trial *t, prt_rgb *colors,
+                 why *w) {
     shading s;
-    int failed = shading_create(a, t, c->count, c->points, all, &s, w);
+    int failed = shading_create(a, t, c->count, c->points, transfer, &s, w);
     if (!failed) {
         shade(&s);
-        trial_judge(t, &c->truth, s.out);
+        memcpy(colors, s.out, (size_t)c->count * sizeof *colors);
     }
     shading_free(&s);
+    return failed;
+}
+
+static int judge(const advisor *a, const checked *c, const prt_real *all, trial *t, why *w) {
+    prt_rgb *colors = (prt_rgb *)malloc((size_t)c->count * sizeof *colors);
+    int failed = colors ? scene_colors(a, c, all, t, colors, w) : why_set(w, "out of memory");
+    if (!failed && t->method == METHOD_FIV) moving_take(a, c, t, colors);
+    if (!failed) trial_judge(t, &c->truth, colors);
+    free(colors);
     return failed;
 }
 
@@ -401,7 +414,7 @@ static int try_settings(advisor *a, const checked *c, prt_real *transfer[LADDER]
             t = trial_of(m, bands, as, ladder[step], (prt_window)window);
             t.ns = ns;
             if (judge(a, c, transfer[step][0], &t, w)) return -1;
-            if (m == METHOD_SH && !a->lights)
+            if (m == METHOD_SH && !a->lights && !a->moving)
                 t.predicted = foretell(a, c, &t, transfer[steps - 1][0], transfer[step][0], transfer[step][1]);
             advisor_keep(a, &t);
         }
@@ -433,7 +446,7 @@ static int set_light(advisor *a, why *w) {
 int advise_scene(advisor *a, why *w) {
     prt_real *transfer[LADDER][HALVES] = { { NULL } };
     int steps = 0, step, half, failed = 0, done = 0;
-    if (set_light(a, w)) return -1;
+    if (set_light(a, w) || (a->o.moving && moving_create(a, w))) return -1;
     if (checked_choose(a, a->o.check, 2 * a->o.seed + 1, "advise: truth", &a->first, w)) return -1;
     while (steps < LADDER && ladder[steps] <= a->o.rays) steps++;
     for (step = 0; step < steps && !failed; step++) {
@@ -449,8 +462,11 @@ int advise_scene(advisor *a, why *w) {
     }
     if (failed && interrupted && done > 0) failed = 0;     /* what is there can be compared */
     if (!failed) {
+        const prt_real *chosen[LADDER];
         print_measurements(a, &a->first, transfer[done - 1][0]);
-        failed = try_all(a, &a->first, transfer, done, w) || (a->o.lights && try_occluders(a, &a->first, w)) ? -1 : 0;
+        for (step = 0; step < done; step++) chosen[step] = transfer[step][0];
+        failed = try_all(a, &a->first, transfer, done, w) || (a->lights && try_occluders(a, &a->first, w)) ||
+                 (a->moving && try_moving(a, &a->first, chosen, ladder, done, w)) ? -1 : 0;
     }
     for (step = 0; step < LADDER; step++) for (half = 0; half < HALVES; half++) free(transfer[step][half]);
     return failed;

@@ -47,6 +47,8 @@ bad '--error wants a number'                    planes.obj map.pfm --error
 bad '--by wants bytes or time'                  planes.obj map.pfm --by money
 bad '--check 1: must be a whole number'         planes.obj map.pfm --check 1
 bad '--rays 63: must be'                        planes.obj map.pfm --rays 63
+bad '--moving and --lights: one at a time'      planes.obj map.pfm --moving planes.obj --lights 2
+bad 'missing.obj: cannot be read as a mesh'     planes.obj map.pfm --moving missing.obj
 bad '--lights 65: must be'                      planes.obj map.pfm --lights 65
 bad '--threads x: must be'                      planes.obj map.pfm --threads x
 bad '--csv wants a file'                        planes.obj map.pfm --csv
@@ -72,6 +74,12 @@ timeout 60 "$program" planes.obj map.pfm --lights 3 --check 64 --rays 64 --error
 [ $? = 0 ] || { fail "the run with lights"; tail -3 stderr; }
 [ "$(grep -c '^vector occluders,' lights.csv)" -ge 20 ] || fail "vector occluders were not tried"
 grep -qwi 'nan\|inf' stdout lights.csv && fail "a figure of the run with lights is not finite"
+# A moving occluder: its shadow, taken off what transfer gives, lessens the error.
+timeout 60 "$program" planes.obj map.pfm --moving planes.obj --check 64 --rays 64 --error 1 --csv moving.csv >stdout 2>stderr
+[ $? = 0 ] || { fail "the run with a moving mesh"; tail -3 stderr; }
+awk -F, '$2 == 10 && $3 == 64 && $4 == "none" && $5 == "float" { if ($1 == "transfer") without = $8
+         if ($1 == "transfer and FIV" && (!with || $8 < with)) with = $8 } END { exit !(with > 0 && with < without) }' moving.csv ||
+    fail "irradiance vectors do not lessen the error"
 if command -v gnuplot >/dev/null; then
     timeout 60 "$program" planes.obj map.pfm --check 16 --rays 64 --error 1 --plot plot.svg >stdout 2>stderr || fail "plot"
     grep -q '</svg>' plot.svg || fail "no plot"
