@@ -434,6 +434,7 @@ typedef struct prt_fiv_env {           /* a distant environment, zero-initialise
     const float *faces[6];             /* oriented as for prt_sh_project_cubemap_rgb */
     int width, height;                 /* else a latitude-longitude image, as for prt_sh_project_equirect_rgb */
     const float *equirect;
+    prt_progress progress; void *progress_user;   /* of prt_bake_fiv_irradiance and _total, after every normal */
 } prt_fiv_env;
 
 typedef struct prt_fiv_desc {          /* zero-initialise; 0 means the default in brackets */
@@ -509,7 +510,7 @@ PRTDEF prt_result prt_bake_fiv_environment(const prt_fiv_env *env, prt_fiv *fiv)
 /* I_tot(N) = int L max(0, N.w) dw for count unit normals, exact for texels of constant radiance: texels that the
    horizon cuts are clipped by it, in closed form. Cost: a multiply-add a texel and channel, and 0.3 us for each of the
    few that the horizon cuts. Errors: as prt_bake_fiv_environment, with PRT_ERR_COUNT (count < 0), PRT_ERR_VALUE (a
-   normal not finite or not unit within 1e-3). */
+   normal not finite or not unit within 1e-3), PRT_ERR_CANCELLED by env->progress: what is finished is valid. */
 PRTDEF prt_result prt_bake_fiv_irradiance(const prt_fiv_env *env, int count, const prt_vec3 *normals, prt_rgb *total);
 
 /* The same at texels first ... first+count-1 of a cube texture total[6][size][size], to be read by prt_fiv_total or by
@@ -2423,6 +2424,10 @@ PRT__STATIC prt_rgb prt__sky_irradiance(const prt__sky *sky, const double n[3]) 
     return out;
 }
 
+PRT__STATIC prt_result prt__sky_told(const prt_fiv_env *env, int done, int count) {
+    return env->progress && env->progress(env->progress_user, done, count) ? PRT_ERR_CANCELLED : PRT_OK;
+}
+
 PRTDEF prt_result prt_bake_fiv_irradiance(const prt_fiv_env *env, int count, const prt_vec3 *normals, prt_rgb *total) {
     prt__sky sky;
     void *memory;
@@ -2441,8 +2446,9 @@ PRTDEF prt_result prt_bake_fiv_irradiance(const prt_fiv_env *env, int count, con
         v[0] = (double)normals[k].x; v[1] = (double)normals[k].y; v[2] = (double)normals[k].z;
         prt__normalise(v, n);
         total[k] = prt__sky_irradiance(&sky, n);
+        r = prt__sky_told(env, k + 1, count);
     }
-    if (r == PRT_OK) PRT_FREE(memory);
+    if (memory) PRT_FREE(memory);
     return r;
 }
 
@@ -2463,8 +2469,9 @@ PRTDEF prt_result prt_bake_fiv_total(const prt_fiv_env *env, int size, int first
         prt__cube_direction(k / size / size, (2 * (k % size) + 1.0) / size - 1,
                             (2 * (k / size % size) + 1.0) / size - 1, n);
         total[k] = prt__sky_irradiance(&sky, n);
+        r = prt__sky_told(env, k - first + 1, count);
     }
-    if (r == PRT_OK) PRT_FREE(memory);
+    if (memory) PRT_FREE(memory);
     return r;
 }
 

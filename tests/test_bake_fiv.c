@@ -135,6 +135,46 @@ static void totals_agree_with_quadrature(void **state) {
     }
 }
 
+/* Told after every normal; stopped, what is finished stays and nothing else is written. */
+typedef struct teller { int count, last, total, stop_at; } teller;
+static int tell(void *user, int done, int total) {
+    teller *t = (teller *)user;
+    t->count += 1;
+    t->last = done;
+    t->total = total;
+    return done == t->stop_at;
+}
+
+static void totals_tell_how_far_they_are(void **state) {
+    enum { SIZE = 3, COUNT = 6 * SIZE * SIZE, FIRST = 5, SOME = 40 };
+    prt_fiv_env e = cube_env(4);
+    prt_rgb whole[COUNT], part[COUNT], same;
+    prt_vec3 normals[SOME];
+    teller t = { 0, 0, 0, 0 };
+    int stop, k;
+    (void)state;
+    fill_texels(0);
+    memset(&same, 0x55, sizeof same);
+    for (k = 0; k < SOME; k++) normals[k] = vec3(sin(k), 0, cos(k));
+    assert_int_equal(prt_bake_fiv_total(&e, SIZE, 0, COUNT, whole), PRT_OK);
+    e.progress = tell;
+    e.progress_user = &t;
+    assert_int_equal(prt_bake_fiv_total(&e, SIZE, FIRST, SOME, whole), PRT_OK);
+    assert_true(t.count == SOME && t.last == SOME && t.total == SOME);
+    for (stop = 1; stop <= SOME; stop += 13) {                 /* the last one too */
+        memset(part, 0x55, sizeof part);
+        memset(&t, 0, sizeof t);
+        t.stop_at = stop;
+        assert_int_equal(prt_bake_fiv_total(&e, SIZE, FIRST, SOME, part), PRT_ERR_CANCELLED);
+        assert_int_equal(t.count, stop);
+        for (k = 0; k < COUNT; k++)
+            assert_memory_equal(&part[k], k >= FIRST && k < FIRST + stop ? &whole[k] : &same, sizeof same);
+        memset(part, 0x55, sizeof part);
+        assert_int_equal(prt_bake_fiv_irradiance(&e, SOME, normals, part), PRT_ERR_CANCELLED);
+        for (k = 0; k < SOME; k++) assert_true((memcmp(&part[k], &same, sizeof same) != 0) == (k < stop));
+    }
+}
+
 static void totals_of_a_cube_are_those_of_its_normals(void **state) {
     enum { SIZE = 4, COUNT = 6 * SIZE * SIZE };
     prt_fiv_env e = cube_env(7);
@@ -674,6 +714,7 @@ int main(void) {
         cmocka_unit_test(total_of_a_white_sky_is_pi),
         cmocka_unit_test(totals_of_opposite_normals),
         cmocka_unit_test(totals_agree_with_quadrature),
+        cmocka_unit_test(totals_tell_how_far_they_are),
         cmocka_unit_test(totals_of_a_cube_are_those_of_its_normals),
         cmocka_unit_test(vectors_are_those_of_hidden_texels),
         cmocka_unit_test(ball_under_a_white_sky),
