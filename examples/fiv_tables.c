@@ -24,6 +24,7 @@
 #include "bake_job.h"
 #include "fiv_bake.h"
 #include "fiv_receive.h"
+#include "plot.h"
 #include "program.h"
 #include "progress.h"
 #include "replacement.h"
@@ -42,14 +43,17 @@ typedef enum shape_id { BUNNY, HORSE, SHAPES } shape_id;      /* what they are u
 
 /* The sampling rates of table 1, (phi, theta, rho), with its minutes and megabytes for the bunny. */
 typedef struct rate { int phi, theta, rho; double minutes, megabytes; } rate;
-enum { RATES = 5, FINEST = 0, USUAL = 1, SELF = 5, QUICK = 6 };
+enum { RATES = 5, FINEST = 0, USUAL = 1, SELF = 5, SUNKEN = 6, QUICK = 7 };
 static const rate rates[QUICK + 1] = {
     { 256, 129, 30, 397, 34.0 }, { 128, 65, 30, 99, 8.56 }, { 64, 33, 30, 24, 2.17 }, { 64, 33, 15, 12, 1.08 },
     { 32, 17, 15, 3, 0.28 },
     { 32, 17, 16, 0, 0 },              /* for self-shadow, inside the bounding sphere */
+    { 128, 65, 30, 0, 0 },             /* for objects that the ground cuts: from nearer */
     { 16, 9, 8, 0, 0 }                 /* for --quick */
 };
-static const prt_real nearest = (prt_real)0.6, farthest = 6, self_nearest = (prt_real)0.15, self_farthest = 1;
+/* In radii: of objects that touch no receiver, cut ones, and an object's own surface. */
+static const prt_real nearest = 1, farthest = (prt_real)4.5, sunken_nearest = (prt_real)0.4;
+static const prt_real self_nearest = (prt_real)0.15, self_farthest = 1;
 
 typedef struct kept_table { int shape, light, rate; fiv_baked baked; } kept_table;
 
@@ -105,7 +109,7 @@ static int bake_table(lab *l, int which, int light, int r, fiv_baked *b, why *w)
     job.grid.phi = rates[r].phi;
     job.grid.theta = rates[r].theta;
     job.grid.rho = rates[r].rho;
-    job.grid.nearest = r == SELF ? self_nearest : nearest;
+    job.grid.nearest = r == SELF ? self_nearest : r == SUNKEN ? sunken_nearest : nearest;
     job.grid.farthest = r == SELF ? self_farthest : farthest;
     job.mark_inside = r == SELF;
     job.keep = l->keep;
@@ -429,6 +433,132 @@ static int write_singles(lab *l, why *w) {
     return 0;
 }
 
+/* The same floating bunny with a table of each kind: looked up and shaded one by one, and batched. */
+enum { KINDS = 4 };
+typedef struct kinds_job { prt_fiv_body body; int count; const prt_rgb *totals; const prt_vec3 *positions, *normals;
+                           prt_rgb *out; int batched; } kinds_job;
+
+static void run_kind(void *user) {
+    kinds_job *j = (kinds_job *)user;
+    const prt_fiv_body *b = &j->body;
+    int k;
+    if (j->batched) {
+        prt_fiv_shade_bodies_n(j->count, j->totals, j->positions, j->normals, 1, b, 0, j->out);
+    } else {
+        for (k = 0; k < j->count; k++) {
+            prt_fiv_hidden h;
+            h.to_centre = vec_add(b->position, -1, j->positions[k]);
+            h.radius = 1;
+            if (b->table) prt_fiv_lookup(b->table, h.to_centre, &h.fiv);
+            else if (b->packed) prt_fiv_packed_lookup(b->packed, h.to_centre, &h.fiv);
+            else prt_fiv_transfer_lookup(b->transfer, NULL, b->vectors, h.to_centre, &h.fiv);
+            prt_fiv_shade_vectors(j->totals[k], j->normals[k], 1, &h, 0, j->out + k);
+        }
+    }
+    BENCH_KEEP(j->out);
+}
+
+typedef struct kinds { prt_fiv_packed packed[2]; void *data[2]; prt_fiv *range; fiv_baked transfer; prt_real *vectors; } kinds;
+enum { KIND_BANDS = 4 };
+
+static int make_kinds(lab *l, const fiv_baked *plain, int r, kinds *m, why *w) {
+    prt_real light[3 * PRT_SH_COUNT(KIND_BANDS)];
+    size_t rows = (size_t)plain->desc.rho_count;
+    fiv_bake_job job;
+    memset(&job, 0, sizeof job);
+    m->data[0] = malloc(prt_fiv_packed_size(&plain->table, 16));
+    m->data[1] = malloc(prt_fiv_packed_size(&plain->table, 8));
+    m->range = (prt_fiv *)malloc(2 * rows * sizeof *m->range);
+    m->vectors = (prt_real *)malloc(9 * (size_t)PRT_SH_COUNT(KIND_BANDS + 1) * sizeof *m->vectors);
+    if (!m->data[0] || !m->data[1] || !m->range || !m->vectors) return why_set(w, "out of memory");
+    if (prt_fiv_pack(&plain->table, 16, m->data[0], NULL, NULL, &m->packed[0]) != PRT_OK ||
+        prt_fiv_pack(&plain->table, 8, m->data[1], m->range, m->range + rows, &m->packed[1]) != PRT_OK)
+        return why_set(w, "packing a table failed");
+    job.shape = &l->shapes[BUNNY];
+    job.light = &l->lights[FOREST];
+    job.bands = KIND_BANDS;
+    job.rays = 64;                                         /* only its cost counts here */
+    job.grid.phi = rates[r].phi;
+    job.grid.theta = rates[r].theta;
+    job.grid.rho = rates[r].rho;
+    job.grid.nearest = nearest;
+    job.grid.farthest = farthest;
+    job.threads = l->threads;
+    job.stop = &interrupted;
+    if (fiv_bake_run(&job, &m->transfer, w)) return -1;
+    prt_sh_project_cubemap_rgb(KIND_BANDS, FACE, l->lights[FOREST].faces, light);
+    prt_fiv_transfer_light(KIND_BANDS, NULL, light, m->vectors);
+    return 0;
+}
+
+static void free_kinds(kinds *m) {
+    free(m->data[0]);
+    free(m->data[1]);
+    free(m->range);
+    free(m->vectors);
+    fiv_baked_free(&m->transfer);
+}
+
+static int time_kinds(lab *l, const fiv_baked *plain, kinds *m, double best[KINDS][2], why *w) {
+    int side = l->quick ? 64 : 256, count = side * side, rounds = l->quick ? 1 : 9, k, round, form;
+    prt_rgb *totals = (prt_rgb *)malloc(2 * (size_t)count * sizeof *totals);
+    prt_vec3 *places = (prt_vec3 *)malloc(2 * (size_t)count * sizeof *places);
+    int failed = !totals || !places;
+    if (!failed) place_receivers(side, totals, places, places + count);
+    for (k = 0; k < count && !failed; k++) {               /* within the table's distances */
+        places[k].x *= (prt_real)(3.0 / 14);
+        places[k].y *= (prt_real)(3.0 / 10);
+    }
+    for (round = 0; round < rounds && !failed; round++)
+        for (k = 0; k < KINDS; k++)
+            for (form = 0; form < 2; form++) {
+                kinds_job j;
+                double ns;
+                memset(&j, 0, sizeof j);
+                j.count = count;
+                j.totals = totals;
+                j.positions = places;
+                j.normals = places + count;
+                j.out = totals + count;
+                j.batched = form;
+                j.body.position = vec(0.3, -0.2, 1.2);
+                if (k == 0) j.body.table = &plain->table;
+                else if (k < 3) j.body.packed = &m->packed[k - 1];
+                else j.body.transfer = &m->transfer.transfer;
+                j.body.vectors = m->vectors;
+                ns = timed(run_kind, &j) / count * 1e9;
+                if (round == 0 || ns < best[k][form]) best[k][form] = ns;
+            }
+    free(totals);
+    free(places);
+    return failed ? why_set(w, "out of memory") : 0;
+}
+
+static int write_kinds(lab *l, why *w) {
+    static const char *const names[KINDS] = { "float", "16 bits", "8 bits", "transfer, 4 bands" };
+    static const int bytes[KINDS] = { 36, 18, 9, 4 * PRT_SH_COUNT(KIND_BANDS + 1) };
+    int r = l->quick ? QUICK : 2, k, failed;
+    const fiv_baked *plain = table_for(l, BUNNY, FOREST, r, w);
+    double best[KINDS][2];
+    kinds m;
+    if (!plain) return -1;
+    memset(&m, 0, sizeof m);
+    memset(best, 0, sizeof best);
+    failed = make_kinds(l, plain, r, &m, w) || time_kinds(l, plain, &m, best, w);
+    if (!failed) {
+        fprintf(l->md, "The same by kind of table, %dx%dx%d: looked up and shaded one by one, and by"
+                " `prt_fiv_shade_bodies_n`. One receiver at a time gains nothing from vectors, which hold a receiver"
+                " a lane.\n\n| table | one by one ns | batched ns | bytes touched | MiB |\n|---|---:|---:|---:|---:|\n",
+                rates[r].phi, rates[r].theta, rates[r].rho);
+        for (k = 0; k < KINDS; k++)
+            fprintf(l->md, "| %s | %.1f | %.1f | %d | %.2f |\n", names[k], best[k][0], best[k][1], 8 * bytes[k],
+                    (double)prt_bake_fiv_count(&plain->desc) * bytes[k] / 1048576);
+        fputs("\n", l->md);
+    }
+    free_kinds(&m);
+    return failed ? -1 : 0;
+}
+
 static int write_costs(lab *l, why *w) {
     const fiv_baked *tables[SHAPES];
     double best[CROWDS][FORMS], each;
@@ -448,7 +578,7 @@ static int write_costs(lab *l, why *w) {
             (best[CROWDS - 1][2] - best[4][2]) / 50 / side / side * 1e9, l->shapes[BUNNY].mesh.triangle_count,
             l->shapes[HORSE].mesh.triangle_count, best[2][1] / side / side * 1e9, best[3][1] / side / side * 1e9,
             best[4][1] / side / side * 1e9);
-    return write_singles(l, w);
+    return write_singles(l, w) || write_kinds(l, w) ? -1 : 0;
 }
 
 /* ---- figures 12 to 17: error ---- */
@@ -493,11 +623,11 @@ static const experiment experiments[] = {
     { 2, "16", "closer together, counted twice", FOREST, 1, 2, CLOSER, PRT_FIV_NO_OVERLAP, "" },
     { 2, "16", "closer together, equation 14", FOREST, 1, 2, CLOSER, PRT_FIV_PAPER_OVERLAP, ".013" },
     { 2, "16", "closer together", FOREST, 1, 2, CLOSER, 0, ".013" },
-    { 3, "17", "no treatment", FOREST, 1, 1, SUNK, FIV_NO_PARTIAL, ".026" },
-    { 3, "17", "the paper's (d+R)/2R", FOREST, 1, 1, SUNK, PRT_FIV_PAPER_PARTIAL, ".019" },
-    { 3, "17", "prt_fiv_shade", FOREST, 1, 1, SUNK, 0, "" }
+    { 3, "17", "no treatment", FOREST, SUNKEN, 1, SUNK, FIV_NO_PARTIAL, ".026" },
+    { 3, "17", "the paper's (d+R)/2R", FOREST, SUNKEN, 1, SUNK, PRT_FIV_PAPER_PARTIAL, ".019" },
+    { 3, "17", "prt_fiv_shade", FOREST, SUNKEN, 1, SUNK, 0, "" }
 };
-enum { EXPERIMENTS = sizeof experiments / sizeof *experiments };
+enum { EXPERIMENTS = sizeof experiments / sizeof *experiments, FIGURE_12 = 0, FIGURE_13_FOREST = 5 };
 
 typedef struct outcome {
     double  all, shadow, reference, worst;       /* NRMSE everywhere, in the shadow, of the truth; largest error */
@@ -707,9 +837,10 @@ static void write_outcomes(lab *l, const outcome *outcomes) {
     fprintf(l->md, "## Figures 12 to 17: error\n\nNRMSE over %d x %d places on the ground, a square of side 6 about the"
             " occluders, whose bounding spheres have radius 1; tables from %g to %g radii in geometric steps. In the"
             " shadow: the same over those places alone that lack more than 1 %% of the open ground's light, divided by"
-            " the same range. Places inside an object are left out.\n\n"
+            " the same range. Places inside an object are left out. Figure 17's table begins at %g radii.\n\n"
             "| figure | set-up | light | NRMSE | paper | in the shadow | largest error | truth's own |\n"
-            "|---|---|---|---:|---:|---:|---:|---:|\n", l->size, l->size, (double)nearest, (double)farthest);
+            "|---|---|---|---:|---:|---:|---:|---:|\n", l->size, l->size, (double)nearest, (double)farthest,
+            (double)sunken_nearest);
     for (k = 0; k < EXPERIMENTS; k++) {
         const experiment *e = &experiments[k];
         const outcome *o = &outcomes[k];
@@ -721,20 +852,7 @@ static void write_outcomes(lab *l, const outcome *outcomes) {
         fprintf(l->md, "![%s](gallery/%s.png)\n\n", sheet_titles[sheet], sheet_names[sheet]);
 }
 
-static int write_figures(lab *l, why *w) {
-    outcome outcomes[EXPERIMENTS];
-    int k, failed = 0;
-    memset(outcomes, 0, sizeof outcomes);
-    for (k = 0; k < EXPERIMENTS && !failed; k++) failed = run_experiment(l, k, outcomes, w);
-    if (!failed) write_outcomes(l, outcomes);
-    for (k = 0; k < SHEETS && !failed && !l->quick; k++) failed = save_sheet(l, k, outcomes, w);
-    for (k = 0; k < EXPERIMENTS; k++) outcome_free(&outcomes[k]);
-    return failed;
-}
-
-/* ---- beyond the paper: the transfer form, packed tables ---- */
-
-enum { FORM_RATE = 2 };                                    /* 64x33x30 */
+/* ---- what limits a table, and what its storage buys ---- */
 
 /* NRMSE over the ground of two pictures of the same places; the second gives the range. */
 static double apart(const picture *a, const picture *b) { return picture_rms(a, b, b, NULL) / picture_range(b); }
@@ -749,6 +867,151 @@ static int shade_ground(lab *l, set *s, picture *out, why *w) {
     receivers_free(&ground);
     return failed;
 }
+
+/* A table packed and unpacked again. */
+static int repack(const prt_fiv_table *from, int bits, prt_fiv *samples, double *bytes, why *w) {
+    int count = from->theta_count * from->phi_count * from->rho_count;
+    size_t size = prt_fiv_packed_size(from, bits), rows = (size_t)from->rho_count;
+    void *data = malloc(size);
+    prt_fiv *low = (prt_fiv *)malloc(2 * rows * sizeof *low);
+    prt_fiv_packed packed;
+    prt_result result = data && low ? PRT_OK : PRT_ERR_MEMORY;
+    if (result == PRT_OK)
+        result = prt_fiv_pack(from, bits, data, bits == 8 ? low : NULL, bits == 8 ? low + rows : NULL, &packed);
+    if (result == PRT_OK) result = prt_fiv_unpack(&packed, 0, count, samples);
+    *bytes = (double)size + (bits == 8 ? 2.0 * (double)rows * sizeof *low : 0);
+    free(data);
+    free(low);
+    return result == PRT_OK ? 0 : why_set(w, "packing a table to %d bits: %s", bits, prt_result_string(result));
+}
+
+/* The floating bunny's shadow from some table, against a truth of the same places. */
+static int shade_floating(lab *l, int light, const prt_fiv_table *table, const picture *traced, double *nrmse, why *w) {
+    const experiment e = { 0, "", "", light, 0, 1, FLOATING, 0, "" };
+    picture shaded;
+    set s;
+    int failed;
+    memset(&shaded, 0, sizeof shaded);
+    failed = build_set(l, &e, &s, w) || picture_create(l->size, l->size, &shaded, w);
+    s.tables[0] = table;
+    if (!failed) failed = shade_ground(l, &s, &shaded, w);
+    if (!failed) *nrmse = apart(&shaded, traced);
+    picture_free(&shaded);
+    stage_free(&s.stage);
+    return failed ? -1 : 0;
+}
+
+/* The coarsest table of figure 12 with more of one thing at a time. */
+typedef struct finer { const char *what; int phi, theta, rho, rays; } finer;
+static const finer finers[] = {
+    { "32x17x15", 32, 17, 15, 0 },               { "16 times the rays", 32, 17, 15, 4096 },
+    { "4 times the distances", 32, 17, 60, 0 },  { "twice the columns (phi)", 64, 17, 15, 0 },
+    { "twice the rows (theta)", 32, 33, 15, 0 }, { "both", 64, 33, 15, 0 },
+    { "4 times both", 128, 65, 15, 0 },          { "4 times both, twice the distances", 128, 65, 30, 0 }
+};
+
+static int write_finer(lab *l, const picture *traced, why *w) {
+    int count = l->quick ? 2 : (int)(sizeof finers / sizeof *finers), k, failed = 0;
+    fputs("What limits the coarsest table of figure 12: the same with more of one thing. It is the steps in direction,"
+          " most of all from pole to pole, across the edge of a light's shadow; not rays, and distances little.\n\n"
+          "| table | NRMSE |\n|---|---:|\n", l->md);
+    for (k = 0; k < count && !failed; k++) {
+        fiv_bake_job job;
+        fiv_baked b;
+        double nrmse = 0;
+        memset(&job, 0, sizeof job);
+        job.shape = &l->shapes[BUNNY];
+        job.light = &l->lights[LAMP];
+        job.grid.phi = finers[k].phi;
+        job.grid.theta = finers[k].theta;
+        job.grid.rho = finers[k].rho;
+        job.grid.nearest = nearest;
+        job.grid.farthest = farthest;
+        job.rays = finers[k].rays;
+        job.threads = l->threads;
+        job.stop = &interrupted;
+        failed = fiv_bake_run(&job, &b, w) || shade_floating(l, LAMP, &b.table, traced, &nrmse, w);
+        if (!failed) fprintf(l->md, "| %s | %.4f |\n", finers[k].what, nrmse);
+        fiv_baked_free(&b);
+    }
+    fputs("\n", l->md);
+    return failed;
+}
+
+/* Error against bytes: one table in float and packed. Curves of a light: float, 16, 8 bits. */
+static int trade_rate(lab *l, int light, int r, int at, const picture *traced, int curve, plot *p, why *w) {
+    const fiv_baked *b = table_for(l, BUNNY, light, r, w);
+    prt_fiv *samples = b ? (prt_fiv *)malloc((size_t)prt_bake_fiv_count(&b->desc) * sizeof *samples) : NULL;
+    int form, failed = !samples;
+    for (form = 0; form < 3 && !failed; form++) {
+        prt_fiv_table table = b->table;
+        double bytes = (double)prt_bake_fiv_count(&b->desc) * sizeof *samples, nrmse = 0;
+        if (form) {
+            failed = repack(&b->table, form == 1 ? 16 : 8, samples, &bytes, w);
+            table.samples = samples;
+        }
+        if (!failed) failed = shade_floating(l, light, &table, traced, &nrmse, w);
+        p->x[curve + form][at] = bytes / 1024;
+        p->y[curve + form][at] = nrmse;
+    }
+    free(samples);
+    return failed ? -1 : 0;
+}
+
+/* truths: of one area light and of the real environment. */
+static int write_trade(lab *l, const picture *const truths[2], why *w) {
+    static const int light[2] = { LAMP, FOREST };
+    static const char *const forms[3] = { "float", "16 bits", "8 bits" };
+    static plot p;
+    char path[1100];
+    int k, i, first = l->quick ? QUICK : 0, count = l->quick ? 1 : RATES;
+    memset(&p, 0, sizeof p);
+    p.title = "The shadow of a bunny: error against the size of its table";
+    p.across = "KiB";
+    p.up = "NRMSE";
+    p.more = "set logscale xy\nset key outside bottom center horizontal maxcols 3";
+    p.series = 6;
+    p.places = count;
+    p.names[0] = "area light, float";   p.names[1] = "area light, 16 bits";   p.names[2] = "area light, 8 bits";
+    p.names[3] = "forest.hdr, float";   p.names[4] = "forest.hdr, 16 bits";   p.names[5] = "forest.hdr, 8 bits";
+    for (k = 0; k < 2; k++)
+        for (i = 0; i < count; i++) if (trade_rate(l, light[k], first + i, i, truths[k], 3 * k, &p, w)) return -1;
+    fputs("## Error against storage\n\n", l->md);
+    if (!l->quick) {
+        snprintf(path, sizeof path, "%s/plots/fiv-storage.svg", l->out);
+        if (plot_draw(&p, path, w)) return -1;
+        printf("%s\n", path);
+        fputs("![NRMSE by bytes of the table](plots/fiv-storage.svg)\n\n", l->md);
+    }
+    fputs("The floating bunny of figures 12 and 13, all grids, in float and packed: at 8 bits a table of the next finer"
+          " grid takes no more memory and errs less.\n\n| grid | bits | KiB | one area light | forest.hdr |\n"
+          "|---|---|---:|---:|---:|\n", l->md);
+    for (i = 0; i < count; i++)
+        for (k = 0; k < 3; k++)
+            fprintf(l->md, "| %dx%dx%d | %s | %.0f | %.4f | %.4f |\n", rates[first + i].phi, rates[first + i].theta,
+                    rates[first + i].rho, forms[k], p.x[k][i], p.y[k][i], p.y[3 + k][i]);
+    fputs("\n", l->md);
+    return 0;
+}
+
+static int write_figures(lab *l, why *w) {
+    outcome outcomes[EXPERIMENTS];
+    int k, failed = 0;
+    memset(outcomes, 0, sizeof outcomes);
+    const picture *truths[2];
+    for (k = 0; k < EXPERIMENTS && !failed; k++) failed = run_experiment(l, k, outcomes, w);
+    if (!failed) write_outcomes(l, outcomes);
+    truths[0] = &outcomes[FIGURE_12].truth;
+    truths[1] = &outcomes[FIGURE_13_FOREST].truth;
+    if (!failed) failed = write_finer(l, truths[0], w) || write_trade(l, truths, w);
+    for (k = 0; k < SHEETS && !failed && !l->quick; k++) failed = save_sheet(l, k, outcomes, w);
+    for (k = 0; k < EXPERIMENTS; k++) outcome_free(&outcomes[k]);
+    return failed;
+}
+
+/* ---- beyond the paper: the transfer form, packed tables ---- */
+
+enum { FORM_RATE = 2 };                                    /* 64x33x30 */
 
 static int bake_form(lab *l, const shape *from, int bands, fiv_baked *b, why *w) {
     int r = l->quick ? QUICK : FORM_RATE;
@@ -858,23 +1121,6 @@ static int write_transfer(lab *l, why *w) {
     return failed ? -1 : 0;
 }
 
-/* A table packed and unpacked again. */
-static int repack(const prt_fiv_table *from, int bits, prt_fiv *samples, double *bytes, why *w) {
-    int count = from->theta_count * from->phi_count * from->rho_count;
-    size_t size = prt_fiv_packed_size(from, bits), rows = (size_t)from->rho_count;
-    void *data = malloc(size);
-    prt_fiv *low = (prt_fiv *)malloc(2 * rows * sizeof *low);
-    prt_fiv_packed packed;
-    prt_result result = data && low ? PRT_OK : PRT_ERR_MEMORY;
-    if (result == PRT_OK)
-        result = prt_fiv_pack(from, bits, data, bits == 8 ? low : NULL, bits == 8 ? low + rows : NULL, &packed);
-    if (result == PRT_OK) result = prt_fiv_unpack(&packed, 0, count, samples);
-    *bytes = (double)size + (bits == 8 ? 2.0 * (double)rows * sizeof *low : 0);
-    free(data);
-    free(low);
-    return result == PRT_OK ? 0 : why_set(w, "packing a table to %d bits: %s", bits, prt_result_string(result));
-}
-
 static int write_packed_row(lab *l, int light, why *w) {
     const experiment e = { 0, "", "", light, USUAL, 1, FLOATING, 0, "" };
     int r = l->quick ? QUICK : USUAL, bits, failed;
@@ -919,11 +1165,12 @@ static int write_packed(lab *l, why *w) {
 /* ---- the program ---- */
 
 static int write_page(lab *l, why *w) {
-    char path[1100], gallery[1100];
+    char path[1100], gallery[1100], plots[1100];
     replacement page;
     snprintf(path, sizeof path, "%s/fiv.md", l->out);
     snprintf(gallery, sizeof gallery, "%s/gallery", l->out);
-    if (make_directory(l->out, w) || make_directory(gallery, w) || (l->keep && make_directory(l->keep, w))) return -1;
+    snprintf(plots, sizeof plots, "%s/plots", l->out);
+    if (make_directory(l->out, w) || make_directory(gallery, w) || make_directory(plots, w) || (l->keep && make_directory(l->keep, w))) return -1;
     if (text_font_load(0, &l->regular, w) || text_font_load(1, &l->bold, w)) return -1;
     if (make_lights(l, w) || load_shapes(l, w) || replacement_open(path, &page, w)) return -1;
     l->md = page.file;

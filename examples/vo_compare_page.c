@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "../bench/bench.h"
+#include "plot.h"
 #include "replacement.h"
 #include "vector.h"
 
@@ -107,43 +108,16 @@ int write_pictures(study *d, why *w) {
 
 /* ---- plots ---- */
 
-enum { MOST_SERIES = 8, MOST_PLACES = 128 };
-
-typedef struct plot {
-    const char *title, *across, *up, *more;                /* more: further commands of gnuplot */
-    int        series, places;
-    const char *names[MOST_SERIES];
-    double     x[MOST_SERIES][MOST_PLACES], y[MOST_SERIES][MOST_PLACES];
-} plot;
-
 /* The same place across for all series. */
 static void place_all(plot *p, int place, double x) {
     int k;
-    for (k = 0; k < MOST_SERIES; k++) p->x[k][place] = x;
+    for (k = 0; k < PLOT_SERIES; k++) p->x[k][place] = x;
 }
 
 static int draw_plot(const study *d, const char *file, const plot *p, why *w) {
-    FILE *to = popen("gnuplot 2>/dev/null", "w");
-    int k, i;
-    if (!to) return why_set(w, "gnuplot cannot be started: install gnuplot-nox");
-    fprintf(
-        to,
-        "set terminal svg size 760,420 background rgb 'white'\nset output '%s/plots/%s'\nset title '%s'\nset xlabel "
-        "'%s'\n"
-        "set ylabel '%s'\nset grid\nset key outside right\n%s\nplot ",
-        d->o.out, file, p->title, p->across, p->up, p->more);
-    for (k = 0; k < p->series; k++)
-        fprintf(to, "%s'-' with %s lw 2 title '%s'", k ? ", " : "", p->places > 20 ? "lines" : "linespoints",
-                p->names[k]);
-    fprintf(to, "\n");
-    for (k = 0; k < p->series; k++) {
-        for (i = 0; i < p->places; i++) fprintf(to, "%g %g\n", p->x[k][i], p->y[k][i]);
-        fprintf(to, "e\n");
-    }
-    return pclose(to) == 0
-               ? 0
-               : why_set(w, "%s/plots/%s: cannot be drawn: gnuplot is missing or failed; install gnuplot-nox", d->o.out,
-                         file);
+    char path[1100];
+    snprintf(path, sizeof path, "%s/plots/%s", d->o.out, file);
+    return plot_draw(p, path, w);
 }
 
 static int plot_lights(const study *d, why *w) {

@@ -1,0 +1,19 @@
+/* plot: curves through gnuplot, into an SVG. */
+#ifndef EXAMPLES_PLOT_H
+#define EXAMPLES_PLOT_H
+
+#include "why.h"
+
+enum { PLOT_SERIES = 8, PLOT_PLACES = 128 };
+
+typedef struct plot {
+    const char *title, *across, *up, *more;                /* more: further commands of gnuplot */
+    int        series, places;
+    const char *names[PLOT_SERIES];
+    double     x[PLOT_SERIES][PLOT_PLACES], y[PLOT_SERIES][PLOT_PLACES];
+} plot;
+
+/* Writes the file; 0, or -1 with the reason in w. */
+int plot_draw(const plot *p, const char *path, why *w);
+
+#endif
