@@ -846,6 +846,9 @@ PRTDEF prt_result prt_fiv_shade_vectors(prt_rgb total, prt_vec3 normal, int coun
    its surface, so that here nothing needs a horizon.
    environment   vectors of the whole environment (prt_bake_fiv_environment)
    self          the object's table, with `inside` marked
+   Error: samples stand off the surface, where light from below its horizon is open and counts against it. At height h
+   over a curvature of radius R a surface keeps (R/(R+h))^2 of its light, 2 h/R too little: dark fringes as wide as the
+   steps of the table where a mesh curves within them. Steps of R/20 cost a tenth (tests/test_fiv.c).
    Errors: PRT_ERR_NULL, PRT_ERR_COUNT (as prt_fiv_lookup). */
 PRTDEF prt_result prt_fiv_self(const prt_fiv *environment, const prt_fiv_table *self, prt_vec3 local_position,
                                prt_vec3 normal, prt_rgb *irradiance);

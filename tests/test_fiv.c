@@ -594,6 +594,34 @@ static void batches_give_the_same_bits(void **state) {
 
 /* ---- self-shadow ---- */
 
+/* A ball under even light shadows no part of itself, and its surface receives pi. Places outside see past its edge light
+   from below the surface's horizon, which counts against it: at height h what is left is (R/(R+h))^2 of it. */
+static void self_shadow_darkens_with_the_height_of_its_samples(void **state) {
+    static const double heights[4] = { 0.01, 0.05, 0.1, 0.2 };
+    prt_fiv_table t = ball_table();
+    prt_fiv environment = nothing;
+    int k;
+    (void)state;
+    for (k = 0; k < 4; k++) {
+        prt_real rho = (prt_real)(1 + heights[k]);
+        prt_fiv samples[2 * 16];
+        prt_rgb out;
+        double s = 1 / (double)rho;
+        int i, j;
+        for (i = 0; i < 2; i++)                                /* poles alone: the receiver stands on the axis */
+            for (j = 0; j < 16; j++) {
+                samples[i * 16 + j] = nothing;
+                samples[i * 16 + j].r.z = (prt_real)((i ? -1 : 1) * pi * s * s);
+            }
+        t.theta_count = 2; t.phi_count = 16; t.rho_count = 1;
+        t.rho = &rho;
+        t.samples = samples;
+        assert_int_equal(prt_fiv_self(&environment, &t, vec3(0, 0, 1), vec3(0, 0, 1), &out), PRT_OK);
+        assert_near(out.r, pi * s * s, 20 * EPS);
+        assert_near(out.r, pi * (1 - 2 * heights[k]), pi * 3.1 * heights[k] * heights[k]);
+    }
+}
+
 static void self_shadow_leaves_out_the_inside(void **state) {
     prt_fiv_table t = random_table();
     prt_fiv environment = nothing;
@@ -1272,6 +1300,7 @@ int main(void) {
         cmocka_unit_test(ball_over_a_plane),
         cmocka_unit_test(shading_agrees_with_the_textbook),
         cmocka_unit_test(batches_give_the_same_bits),
+        cmocka_unit_test(self_shadow_darkens_with_the_height_of_its_samples),
         cmocka_unit_test(self_shadow_leaves_out_the_inside),
         cmocka_unit_test(transfer_is_bilinear),
         cmocka_unit_test(transfer_lookup_agrees_with_its_table),
