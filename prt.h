@@ -451,7 +451,7 @@ PRTDEF prt_result prt_sh_rotate_by  (int bands, const prt_real *blocks, const pr
    coefficient i of vector k at [i*stride + k], stride >= count. Cost: prt_sh_rotation_count multiply-adds a vector
    (three times that for _n_rgb), done in SIMD across vectors; _soa, which transposes nothing, does 0.65 to 0.8 of the
    multiply-adds that the machine can. At 4 bands arrays beyond the caches are turned at 0.7 of the rate of memcpy and
-   more, SSE2 at 0.4 (_n_rgb), 0.6 (_soa) and 0.7 (_n): docs/rotation.md. */
+   more, SSE2 at 0.5 (_n_rgb), 0.6 (_soa) and 0.7 (_n): docs/rotation.md. */
 PRTDEF prt_result prt_sh_rotate_by_n(int bands, const prt_real *blocks, int count, const prt_real *f, prt_real *out);
 PRTDEF prt_result prt_sh_rotate_by_n_rgb(int bands, const prt_real *blocks, int count, const prt_real *f,
                                          prt_real *out);
@@ -3380,15 +3380,18 @@ PRT__INLINE prt__entry prt__entry_of(prt_real m) { return m; }
 #endif
 enum { PRT__ENTRY_BANDS = 8, PRT__ENTRIES = PRT__ENTRY_BANDS * (4 * PRT__ENTRY_BANDS * PRT__ENTRY_BANDS - 1) / 3 };
 
-/* sum = M v for four rows or fewer in all lanes, side by side: no sum waits for another. */
+/* sum = M v for four rows or fewer in all lanes, side by side: no sum waits for another. Loops count to what is known
+   before any other is unrolled, since clang takes inner ones first. */
 PRT__INLINE void prt__block_rows(int rows, int size, const prt__entry *m, const prt__vec *v, prt__vec *sum) {
     int r, j;
     PRT__UNROLL
-    for (r = 0; r < rows; r++) sum[r] = m[r * size] * v[0];
+    for (r = 0; r < 4; r++)
+        if (r < rows) sum[r] = m[r * size] * v[0];
     PRT__UNROLL
     for (j = 1; j < size; j++) {
         PRT__UNROLL
-        for (r = 0; r < rows; r++) sum[r] += m[r * size + j] * v[j];
+        for (r = 0; r < 4; r++)
+            if (r < rows) sum[r] += m[r * size + j] * v[j];
     }
 }
 
@@ -3405,7 +3408,8 @@ PRT__INLINE void prt__block_lanes(int size, const prt__entry *m, const prt_real 
         rows = size - r < 4 ? size - r : 4;
         prt__block_rows(rows, size, m + r * size, v, sum);
         PRT__UNROLL
-        for (i = 0; i < rows; i++) prt__vec_store(out + (size_t)(r + i) * out_step, sum[i]);
+        for (i = 0; i < 4; i++)
+            if (i < rows) prt__vec_store(out + (size_t)(r + i) * out_step, sum[i]);
     }
 }
 
@@ -3616,6 +3620,63 @@ PRT__INLINE int prt__rotate_vectors(int bands, const prt__entry *entries, int la
 }
 #endif
 
+/* The blocks as the kernels take them: repeated in `room` where registers have 16 bytes. */
+PRT__STATIC const prt__entry *prt__block_entries(int bands, const prt_real *blocks, prt__entry *room) {
+#if PRT__SIMD && PRT__VEC_BYTES == 16
+    size_t i, total = prt__block_offset(bands < PRT__ENTRY_BANDS ? bands : PRT__ENTRY_BANDS);
+    for (i = 0; i < total; i++) room[i] = prt__entry_of(blocks[i]);
+    return room;
+#else
+    (void)bands; (void)room;
+    return blocks;
+#endif
+}
+
+/* Three channels side by side need no transpose where four numbers fill a register: a coefficient's three and one of
+   the next, which the next row's store puts right. The last row of a band keeps to its three. */
+#define PRT__RGB_VECTORS (PRT__BLOCK_VECTORS && PRT__LANES == 4)
+
+#if PRT__RGB_VECTORS
+PRT__SHUFFLE(prt__without_first, 1, 2, 3, 3)
+
+PRT__INLINE void prt__block_rgb(int size, const prt__entry *m, const prt_real *f, prt_real *out) {
+    prt__vec x[2 * PRT__ENTRY_BANDS - 1], sum[2 * PRT__ENTRY_BANDS - 1], last = prt__vec_load(f + 3 * size - 4);
+    int i;
+    PRT__UNROLL
+    for (i = 0; i < size - 1; i++) x[i] = prt__vec_load(f + 3 * i);
+    x[i] = prt__without_first(last, last);
+    PRT__UNROLL
+    for (i = 0; i < size; i += 4) prt__block_rows(size - i < 4 ? size - i : 4, size, m + i * size, x, sum + i);
+    PRT__UNROLL
+    for (i = 0; i < size - 1; i++) prt__vec_store(out + 3 * i, sum[i]);
+    memcpy(out + 3 * i, &sum[i], 3 * sizeof *out);
+}
+
+typedef void prt__rgb_kernel(const prt__entry *m, const prt_real *f, prt_real *out);
+#define PRT__RGB_KERNEL(l) \
+    PRT__STATIC void prt__block_rgb_##l(const prt__entry *m, const prt_real *f, prt_real *out) { \
+        prt__block_rgb(2 * l + 1, m, f, out); \
+    }
+PRT__RGB_KERNEL(1) PRT__RGB_KERNEL(2) PRT__RGB_KERNEL(3) PRT__RGB_KERNEL(4)
+PRT__RGB_KERNEL(5) PRT__RGB_KERNEL(6) PRT__RGB_KERNEL(7)
+#undef PRT__RGB_KERNEL
+static prt__rgb_kernel *const prt__rgb_kernels[PRT__ENTRY_BANDS] = {
+    NULL, prt__block_rgb_1, prt__block_rgb_2, prt__block_rgb_3, prt__block_rgb_4, prt__block_rgb_5, prt__block_rgb_6,
+    prt__block_rgb_7
+};
+
+PRT__STATIC void prt__rotate_rgb(int bands, const prt_real *blocks, int count, const prt_real *f, prt_real *out) {
+    prt__entry room[PRT__ENTRIES];
+    const prt__entry *entries = prt__block_entries(bands, blocks, room);
+    size_t stride = (size_t)(PRT_SH_COUNT(bands) * 3);
+    int k, l;
+    for (k = 0; k < count; k++, f += stride, out += stride) {
+        for (l = 0; l < 3; l++) out[l] = blocks[0] * f[l];
+        for (l = 1; l < bands; l++) prt__rgb_kernels[l](entries + prt__block_offset(l), f + 3 * l * l, out + 3 * l * l);
+    }
+}
+#endif
+
 /* Coefficients 0 ... count-1 of `lanes` vectors, `stride` apart, from f to x[count][PRT__LANES]; missing lanes become 0. */
 PRT__STATIC void prt__lanes_gather(size_t stride, const prt_real *f, int count, int lanes, prt_real *x) {
     prt__vec row[PRT__LANES];
@@ -3651,18 +3712,6 @@ PRT__STATIC void prt__lanes_scatter(size_t stride, const prt_real *x, int count,
         PRT__UNROLL
         for (k = 0; k < PRT__LANES; k++) prt__vec_store(f + (size_t)k * stride + first, row[k]);
     }
-}
-
-/* The blocks as the kernels take them: repeated in `room` where registers have 16 bytes. */
-PRT__STATIC const prt__entry *prt__block_entries(int bands, const prt_real *blocks, prt__entry *room) {
-#if PRT__SIMD && PRT__VEC_BYTES == 16
-    size_t i, total = prt__block_offset(bands < PRT__ENTRY_BANDS ? bands : PRT__ENTRY_BANDS);
-    for (i = 0; i < total; i++) room[i] = prt__entry_of(blocks[i]);
-    return room;
-#else
-    (void)bands; (void)room;
-    return blocks;
-#endif
 }
 
 /* Bands first ... end-1 of one group of lanes; `channels` values stand side by side for each coefficient. */
@@ -3769,6 +3818,12 @@ PRTDEF prt_result prt_sh_rotate_by_n(int bands, const prt_real *blocks, int coun
 PRTDEF prt_result prt_sh_rotate_by_n_rgb(int bands, const prt_real *blocks, int count, const prt_real *f,
                                          prt_real *out) {
     prt_result r = prt__rotate_many_check(bands, blocks, count, f, out);
+#if PRT__RGB_VECTORS
+    if (r == PRT_OK && count > 0 && bands <= PRT__ENTRY_BANDS) {
+        prt__rotate_rgb(bands, blocks, count, f, out);
+        return PRT_OK;
+    }
+#endif
     if (r == PRT_OK && count > 0) prt__rotate_many(bands, 3, blocks, count, f, out);
     return r;
 }
