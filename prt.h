@@ -208,8 +208,8 @@ PRTDEF prt_result prt_sh_eval_n (int bands, int count, const prt_vec3 *dirs, prt
 /* The same, structure of arrays: the fastest form. Coefficient i of direction k = (x[k], y[k], z[k]) at out[i*stride+k].
    stride  in values, >= count (PRT_ERR_COUNT); out[i*stride + count ...] is not written
    Each direction is the same bits whatever count and place. To 10 bands any stride is fast, multiples of a page
-   included: rows are written in sweeps of eight. Above, a stride that is a multiple of a page takes 2 to 4 times as long
-   as one beside it: its rows compete for the same lines of the cache.
+   included: rows are written in sweeps of eight. Above, with AVX-512, a stride that is a multiple of a page takes up to
+   twice as long as one beside it: its rows compete for the same lines of the cache.
    Errors: PRT_ERR_BANDS, PRT_ERR_COUNT, PRT_ERR_NULL (unless count is 0).
    Accuracy: that of prt_sh_eval to 10 bands; from 11 to 180 float stays float, 4e-6 at 13 bands, 9e-5 at 64.
    Cost: at 5 bands with AVX-512 below 1.5 x a memset of the output (docs/speed.md). */
@@ -1693,7 +1693,7 @@ PRT__INLINE prt_real prt__recurrence_with(prt__step_of *near_step, prt__step_of 
 
 /* Batches in rows (_soa) go through blocks of PRT__SH_BLOCK vectors of directions, the last one padded: coefficient i of
    direction k to to[i * stride + k]. Vectors run in prt_real, so float has fewer bands before it leaves its range. */
-enum { PRT__SH_BLOCK = 4, PRT__SH_BLOCK_ITEMS = PRT__SH_BLOCK * PRT__LANES };
+enum { PRT__SH_BLOCK = PRT__LANES >= 16 ? 4 : 8, PRT__SH_BLOCK_ITEMS = PRT__SH_BLOCK * PRT__LANES };
 #ifdef PRT_DOUBLE
 enum { PRT__SH_UNSCALED_V = PRT__SH_UNSCALED };
 #else
