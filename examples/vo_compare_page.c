@@ -364,11 +364,11 @@ static void write_limits(const study *d, FILE *to) {
         "waiting, measured in the same run. *Waiting*: points side by side wait for the one that has most "
         "occluders. Sine law, 8 lights.\n\n"
         "| build | points side by side | terms | operations a point, occluder and light | operations a vertex | ns a "
-        "vertex | ns at %s | peak, 10^9/s | times the limit | of it waiting |\n"
+        "vertex | ns at the peak | peak, 10^9/s | times the limit | of it waiting |\n"
         "|---|---:|---|---:|---:|---:|---:|---:|---:|---:|\n",
         1e9 * d->forms[0].seconds[0] / points, 1e9 * d->forms[0].loop / points,
         d->forms[0].loop / d->forms[0].seconds[0], 1e9 * d->forms[1].seconds[0] / points,
-        1e9 * d->forms[1].loop / points, d->forms[1].loop / d->forms[1].seconds[0], "the peak");
+        1e9 * d->forms[1].loop / points, d->forms[1].loop / d->forms[1].seconds[0]);
     for (b = 0; b < BUILDS; b++) {
         for (k = 0; k < TERMS; k++) {
             const limit *l = &d->forms[k].limits[b];

@@ -209,14 +209,6 @@ static void shade(source *s, int bands, size_t n) {
     size_t items = count > 0 && count <= 9 ? (size_t)count : 0;
     if (count > 9) count = -count;
     CHECK(prt_shade_diffuse_n(bands, count, reals(s, items * n), maybe(s, reals(s, 3 * n)), (prt_rgb *)out(s, 3 * items)));
-    CHECK(prt_shade_diffuse_rgb_n(bands, count, reals(s, 3 * items * n), maybe(s, reals(s, 3 * n)),
-                                  (prt_rgb *)out(s, 3 * items)));
-    CHECK(prt_shade_glossy_n(bands, count, reals(s, 3 * items * n), maybe(s, reals(s, n)),
-                             (const prt_vec3 *)(const void *)maybe(s, reals(s, 3 * items)),
-                             (prt_rgb *)out(s, 3 * items)));
-    if (n <= 25)
-        CHECK(prt_shade_incident(bands, bands, items % 2 ? 1 : 3, reals(s, 3 * n * n), maybe(s, reals(s, 3 * n)),
-                                 out(s, 3 * n)));
 }
 
 static void shade_packed(source *s, int bands, size_t n) {
@@ -346,6 +338,71 @@ static void occlude(source *s) {
     }
 }
 
+/* Vector occluders in every form: whatever is finite gives light that is finite and not below 0. */
+static void vectors(source *s) {
+    enum { MOST = 6, SEEN = 3, LIGHTS = 3, POINT = 16, OCCLUDER = 26 };
+    int points = take_int(s, 0, MOST), lights = take_int(s, 0, LIGHTS), seen, made = 0, k;
+    int *first = (int *)room((MOST + 1) * sizeof *first);
+    prt_real *p = reals(s, MOST * POINT), *o = reals(s, MOST * SEEN * OCCLUDER), *l = reals(s, LIGHTS * 6);
+    prt_real *v = reals(s, 13), *lit;
+    const prt_vo_point *at = (const prt_vo_point *)p;
+    const prt_vo_occluder *occluders = (const prt_vo_occluder *)o;
+    const prt_point_light *light = (const prt_point_light *)l;
+    prt_vo_material *materials = (prt_vo_material *)room(MOST * SEEN * sizeof *materials);
+    void *form = room(MOST * SEEN * sizeof(prt_vo_indexed));
+    const prt_real unit = v[9];
+    prt_vec3 eye;
+    prt_vo_params q;
+    prt_result r = PRT_OK;
+    eye.x = v[10]; eye.y = v[11]; eye.z = v[12];
+    q.shadow_strength = v[0]; q.caustic_strength = v[1]; q.caustic_angle = v[2]; q.gloss = v[3];
+    q.dd = v[4]; q.ds = v[5]; q.ss = v[6]; q.light_angle = v[7]; q.ss_fade = v[8];
+    q.off = take(s); q.law = (int)(take(s) % 3);
+    for (first[0] = 0, k = 0; k < MOST; k++) first[k + 1] = first[k] + (int)(take(s) % (SEEN + 1));
+    if (points > MOST) points = -1;
+    if (lights > LIGHTS) lights = -1;
+    seen = points > 0 ? first[points] : 0;
+    if (take(s) == 255) first[k / 2] = -1;
+    lit = out(s, MOST * 3);
+    switch (take(s) % 7) {
+        case 0:
+            CHECK(r = prt_vo_shade(&q, at, eye, (int)(take(s) % 4), occluders, lights, light, (prt_rgb *)lit));
+            break;
+        case 1:
+            CHECK(r = prt_vo_shade_n(&q, points, at, eye, first, occluders, lights, light, (prt_rgb *)lit));
+            break;
+        case 2:
+            if (prt_vo_pack(unit, eye, seen, occluders, (prt_vo_packed *)form) != PRT_OK) return;
+            CHECK(r = prt_vo_shade_packed_n(&q, unit, points, at, eye, first, (prt_vo_packed *)form, lights, light,
+                                            (prt_rgb *)lit));
+            break;
+        case 3:
+            if (prt_vo_pack_diffuse(unit, eye, seen, occluders, (prt_vo_packed_diffuse *)form) != PRT_OK) return;
+            CHECK(r = prt_vo_shade_packed_diffuse_n(&q, unit, points, at, eye, first, (prt_vo_packed_diffuse *)form,
+                                                    lights, light, (prt_rgb *)lit));
+            break;
+        case 4:
+            if (prt_vo_index(seen, occluders, MOST * SEEN, materials, &made, (prt_vo_indexed *)form) != PRT_OK) return;
+            CHECK(r = prt_vo_shade_indexed_n(&q, points, at, eye, first, made, materials, (prt_vo_indexed *)form, lights,
+                                             light, (prt_rgb *)lit));
+            break;
+        case 5:
+            if (prt_vo_index_diffuse(seen, occluders, MOST * SEEN, materials, &made, (prt_vo_indexed_diffuse *)form) !=
+                PRT_OK) return;
+            CHECK(r = prt_vo_shade_indexed_diffuse_n(&q, points, at, eye, first, made, materials,
+                                                     (prt_vo_indexed_diffuse *)form, lights, light, (prt_rgb *)lit));
+            break;
+        default:
+            prt_vo_bend(2, (const prt_vo_wave *)reals(s, 18), take_real(s), eye, seen, occluders, (prt_vo_occluder *)o);
+            return;
+    }
+    for (k = 0; k < MOST * POINT; k++) if (!prt__finite(p[k])) return;
+    for (k = 0; k < MOST * SEEN * OCCLUDER; k++) if (!prt__finite(o[k])) return;
+    for (k = 0; k < LIGHTS * 6; k++) if (!prt__finite(l[k])) return;
+    for (k = 0; k < 13; k++) if (!prt__finite(v[k])) return;
+    for (k = 0; r == PRT_OK && lit && k < (points > 0 ? 3 * points : 0); k++) if (!(lit[k] >= 0 && prt__finite(lit[k]))) abort();
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     source s;
     int bands, k;
@@ -356,7 +413,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     n = bands >= 1 && bands <= PRT_MAX_BANDS ? (size_t)PRT_SH_COUNT(bands) : 1;
     taken_count = 0;
     output_count = 0;
-    switch (take(&s) % 9) {
+    switch (take(&s) % 10) {
         case 0: evaluate(&s, bands, n); break;
         case 1: project(&s, bands, n); break;
         case 2: transform(&s, bands, n); break;
@@ -365,6 +422,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         case 5: multiply(&s, bands, n); break;
         case 6: smooth(&s, bands, n); break;
         case 7: occlude(&s); break;
+        case 8: vectors(&s); break;
         default: values(&s, bands, n); break;
     }
     for (k = 0; k < taken_count; k++) free(taken[k]);
