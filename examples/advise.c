@@ -283,7 +283,7 @@ static int advise_one(advisor *a, double error, why *w) {
         describe(t, text, sizeof text);
         if (a->o.rows && again.square <= error * error) print_table_row(error, t, &again);
         printf("for an error of %.3g %%: %s: %.0f bytes and %.1f ns a vertex\n", 100 * error, text, t->bytes, t->ns);
-        printf("    error %.2f +- %.2f %%; at %d other vertices, with other rays, %.2f +- %.2f %%%s\n",
+        printf("    error %.2f +- %.2f %%; at %d vertices chosen anew, with other rays, %.2f +- %.2f %%%s\n",
                100 * trial_error(t), 100 * trial_uncertainty(t), a->second.count, 100 * trial_error(&again),
                100 * trial_uncertainty(&again), again.square <= error * error ? "" : ": too much; the next one");
         if (again.square <= error * error) return 0;

@@ -37,7 +37,7 @@ Written by \`make advise\` on $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo |
 what the scene requires*. An error is the root mean square error of exit radiance over vertices and colours as a share of its
 mean, against ray tracing at 512 vertices chosen at random (2 x 4096 rays each, half of them by cosine and half by light, in two
 independent halves, so that their noise does not count as error), with its standard error. A set-up is advised if it
-keeps the error by two standard errors, and keeps it again at 512 other vertices with other rays.
+keeps the error by two standard errors, and keeps it again at 512 vertices chosen anew, with other rays.
 
 What is tried: irradiance of the normal alone (no byte a vertex), that times ambient occlusion (one byte), and transfer vectors of
 1 to 10, 12, 14 and 16 bands, stored as floats, halves, 16 or 8 bits; each under 4 windows and, where rays are needed, 64, 256,
