@@ -29,6 +29,7 @@ static bounded bounded_operation(node_op op, bounded a, bounded b, bounded c, bo
         if (a.value > a.error)
             r.error = r.value * (fabs(b.value) * (a.error / (a.value - a.error) + 6 * eps * (1 + fabs(log2(a.value)))) +
                                  fabs(log(a.value)) * b.error + eps * (6 + 4 * fabs(b.value * log2(a.value))));
+        else if (b.value < 0) r.error = INFINITY;
         else r.error = fmax(pow(a.value + a.error, fmax(b.value - b.error, 0)), r.value);
         break;
     case OP_NEG: r = a; r.value = -a.value; break;
@@ -49,6 +50,7 @@ static bounded bounded_operation(node_op op, bounded a, bounded b, bounded c, bo
         break;
     case OP_CONST: case OP_INPUT: break;
     }
+    if (isnan(r.error)) r.error = INFINITY;            /* no error times an infinite one */
     if (op != OP_NEG && op != OP_MIN && op != OP_MAX && op != OP_SELECT && op != OP_POW) r.error += eps * fabs(r.value);
     return r;
 }
