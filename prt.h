@@ -4746,7 +4746,7 @@ static const prt_real *prt__grid_nodes(void), *prt__grid_weights(void), *prt__gr
 PRT__INLINE int prt__node_pairs(int bands) { return (3 * bands + 1) / 4; }
 
 typedef struct prt__grid {
-    int bands, pairs;
+    int pairs;
     prt_real z[PRT__PAIRS_MAX + 16], weight[PRT__PAIRS_MAX + 16];  /* z >= 0; padded: weight 0 */
 } prt__grid;
 
@@ -4783,7 +4783,6 @@ PRT__STATIC void prt__gauss_legendre_all(int count, double *z, double *weight) {
 PRT__STATIC void prt__grid_init(prt__grid *grid, int bands) {
     double z[PRT__PAIRS_MAX], weight[PRT__PAIRS_MAX];
     int q = prt__node_pairs(bands), k;
-    grid->bands = bands;
     grid->pairs = q;
     prt__gauss_legendre_all((3 * bands - 1) / 2, z, weight);
     for (k = 0; k < q; k++) {
@@ -5067,7 +5066,7 @@ typedef struct prt__columns {
     prt__vec weight[PRT__COLUMN_GROUPS], p[PRT__COLUMN_GROUPS][PRT__COLUMNS];
 } prt__columns;
 
-PRT__INLINE void prt__columns_climb_all(int bands, prt__vec z, prt__vec *p) {
+PRT__INLINE void prt__monic_columns(int bands, prt__vec z, prt__vec *p) {
     prt__vec radius = prt__vec_root((1 - z) * (1 + z)), sector = prt__vec_set(1);
     int l, m;
     for (m = 0; m < bands; m++) {
@@ -5100,7 +5099,7 @@ PRT__INLINE void prt__columns_init(prt__columns *c, int bands, int whole) {
     c->groups = whole ? 1 : (prt__node_pairs(bands) + PRT__LANES - 1) / PRT__LANES;
     for (group = 0; group < c->groups; group++, at += PRT__LANES) {
         c->weight[group] = prt__grid_lanes(prt__grid_weights() + at, whole, 1);
-        prt__columns_climb_all(bands, prt__grid_lanes(prt__grid_nodes() + at, whole, -1), c->p[group]);
+        prt__monic_columns(bands, prt__grid_lanes(prt__grid_nodes() + at, whole, -1), c->p[group]);
     }
 }
 
