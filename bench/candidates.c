@@ -50,6 +50,10 @@ static const prt_packed_transfer *packed_of(int n, prt_storage storage) {
 }
 #define PACKED(storage) (*packed_of(n, PRT_STORAGE_##storage))
 static const int y_up[3] = { 1, -3, 2 };
+static const prt_real mirror[9] = {                             /* no axis or plane of it is special */
+    (prt_real)-0.36, (prt_real)-0.48, (prt_real)0.8, (prt_real)0.8, (prt_real)-0.6, 0, (prt_real)-0.48, (prt_real)-0.64,
+    (prt_real)-0.6
+};
 static const prt_real quarter[4] = { (prt_real)0.5, (prt_real)0.5, (prt_real)-0.5, (prt_real)0.5 };
 static double one(void *user, prt_vec3 dir) { (void)user; (void)dir; return 1; }
 /* Points that see VO_SEEN occluders each, and lights, all at random; opaque. Packed forms beside them. */

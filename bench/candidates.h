@@ -102,6 +102,8 @@ BATCH(rotate_by_rgb, "rotate_by_n", "prt_sh_rotate_by_n_rgb, a plane", ALL, (ITE
       prt_sh_rotate_by_n_rgb(n, BLOCKS, items / 3, ROWS, OUT), BLOCK_FLOPS, n * n, n * n)
 EACH (rotate,       "rotate",   "prt_sh_rotate",        ALL, 16,
       prt_sh_rotate(n, ROTATION, F, OUT), 0, n * n + 9, n * n)
+EACH (rotate_mirror, "rotate",  "prt_sh_rotate, a reflection", LOW, 16,
+      prt_sh_rotate(n, mirror, F, OUT), 0, n * n + 9, n * n)
 EACH (rotate_z,     "rotate_z", "prt_sh_rotate_z",      LOW, 64,
       prt_sh_rotate_z(n, (prt_real)0.7, F, OUT), 0, n * n, n * n)
 EACH (zonal_to,     "zonal_to", "prt_sh_zonal_to",      LOW, 1024,
