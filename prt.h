@@ -777,7 +777,7 @@ typedef struct prt_fiv_hidden {
 enum {
     PRT_FIV_PAPER_PARTIAL = 1,         /* occluders cut by the horizon: the paper's factor (d+R)/2R (4.3.1) */
     PRT_FIV_NO_OVERLAP = 2,            /* what two occluders hide together counts twice */
-    PRT_FIV_PAPER_OVERLAP = 4          /* it is taken back as if occluders filled their bounding spheres (equation 14) */
+    PRT_FIV_FILLED_OVERLAP = 4         /* it is taken back for what occluders fill of their bounding spheres */
 };
 
 /* fiv += radiance dw w in each channel (equation 9). dir: unit. NULL: nothing happens. */
@@ -810,14 +810,15 @@ PRTDEF prt_result prt_fiv_lookup(const prt_fiv_table *table, prt_vec3 from_recei
                 what a cap of uniform radiance cut by the horizon takes, within .0005, .008, .067 of the uncut cap for
                 half-angles .2, .5, 1 (tests/test_fiv.c). The paper's (d+R)/2R scales N.FIV, which is too small already.
    Overlap: with discs of radius r_i = 2 sin(a_i/2), sin(a_i) = s_i, whose centres are the chord apart, each pair takes
-   back, at most the smaller of the two,
+   back lens/(area_1 + area_2) (I_1 + I_2) (equation 14), at most the smaller of the two. That is right for occluders
+   that fill their bounding spheres, or that hide a small light. Meshes fill .06 to .6 of their discs, and under a whole
+   sky it takes back too much of them: with PRT_FIV_FILLED_OVERLAP each pair takes back
      lens f_1 f_2 (I_1 + I_2)/(f_1 area_1 + f_2 area_2),   f_i = min(1, I_i/(total s_i^2 h_i))
-   in each channel: f is the part of its disc that an occluder fills, as far as the light can tell: h_i, the cosine
+   in each channel. f is the part of its disc that an occluder fills, as far as the light can tell: h_i, the cosine
    N.to_centre/r where d >= R, s g(u) where the horizon cuts, 1/1024 at least, makes total s^2 h what a whole disc under
-   even light would take. Two such occluders meet by chance in f_1 f_2 of the lens. f = 1, a whole disc or a light concentrated in it, is
-   equation 14, lens/(area_1 + area_2) (I_1 + I_2), which holds for one disc twice, and for all by PRT_FIV_PAPER_OVERLAP. It takes back too much
-   under a whole sky, of which meshes fill .06 to .6 of their discs; errors by both: docs/fiv.md, figures 15 and 16.
-   The sum then is kept between the largest I and the total. With 0 occluders irradiance = total.
+   even light would take. Two such occluders meet by chance in f_1 f_2 of the lens; f = 1 is equation 14 again, and holds
+   for one disc twice. total must be that of the light the tables were baked under. Errors by both: docs/fiv.md, figures
+   15 and 16. The sum then is kept between the largest I and the total. With 0 occluders irradiance = total.
    Errors: PRT_ERR_COUNT (count < 0, a count of a table below 1); PRT_ERR_NULL (irradiance; occluders with count > 0; a
    table, its rho or samples). Nothing is written then.
    Cost: a lookup an occluder that is not below the horizon, and about 60 operations a pair of discs that overlap. One
@@ -7065,7 +7066,7 @@ PRT__INLINE int prt__any(prt__chosen chosen) {
 PRT__STATIC void prt__fiv_take(const prt__fiv_scene *s, const prt__vec vectors[9], prt__vec lit, prt__vec up,
                                prt__vec sine, prt__vec cut, int partial, prt__fiv_seen *seen) {
     const prt__vec zero = prt__vec_set(0), one = prt__vec_set(1);
-    int paper = (s->flags & PRT_FIV_PAPER_PARTIAL) != 0, whole = (s->flags & PRT_FIV_PAPER_OVERLAP) != 0, c;
+    int paper = (s->flags & PRT_FIV_PAPER_PARTIAL) != 0, parts = (s->flags & PRT_FIV_FILLED_OVERLAP) != 0, c;
     prt__vec full = sine * sine * prt__vec_most(paper ? up * cut : up + cut, prt__vec_set(PRT__R(1.0 / 1024)));
     for (c = 0; c < 3; c++) {
         prt__vec x = vectors[3 * c], y = vectors[3 * c + 1], z = vectors[3 * c + 2];
@@ -7074,7 +7075,7 @@ PRT__STATIC void prt__fiv_take(const prt__fiv_scene *s, const prt__vec vectors[9
         else if (partial) along = along + PRT__SELECT(cut > zero, prt__vec_root(x * x + y * y + z * z) * cut, zero);
         seen->taken[c] = PRT__SELECT(lit > zero, prt__vec_clamp(along, zero, s->total[c]), zero);
         along = s->total[c] * full;
-        seen->filled[c] = whole ? one : PRT__SELECT(seen->taken[c] < along, seen->taken[c] / along, one);
+        seen->filled[c] = parts ? PRT__SELECT(seen->taken[c] < along, seen->taken[c] / along, one) : one;
     }
 }
 

@@ -172,6 +172,7 @@ static int prepare_receive(show *s, why *w) {
     prt_result result;
     f->stage = &s->stage;
     f->receivers = &s->seen;
+    f->flags = PRT_FIV_FILLED_OVERLAP;                   /* meshes are no balls */
     f->tables = s->occluders;
     f->self = s->self;
     f->threads = s->o.threads;

@@ -39,7 +39,7 @@ error 'absent.hdr: cannot be opened'           "$scene" "${balls[@]}" absent.hdr
 error 'absent.obj: cannot be read as a mesh'   "$scene" --meshes absent.obj ball3.obj
 
 timeout 100 "$tables" --quick "${balls[@]}" --out docs >stdout 2>stderr || die "fiv_tables --quick"
-for word in 'Table 1' 'Table 2' 'Figures 12 to 17' 'overlap corrected'; do
+for word in 'Table 1' 'Table 2' 'Figures 12 to 17' 'what is filled'; do
     grep -q "$word" docs/fiv.md || die "docs/fiv.md has no '$word'"
 done
 grep -qi 'nan\|inf |' docs/fiv.md && die "docs/fiv.md has a figure that is no number"

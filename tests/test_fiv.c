@@ -122,7 +122,7 @@ static double chord(prt_vec3 a, prt_vec3 b) {
     return sqrt(x * x + y * y + z * z);
 }
 
-/* Equations 11, 13 and 14 for every channel, the last for discs that are filled in part unless the flag says whole. */
+/* Equations 11, 13 and 14 for every channel, the last for discs that are filled in part if the flag says so. */
 static void textbook_shade(prt_rgb total, prt_vec3 normal, int count, const prt_fiv_hidden *h, unsigned flags,
                            double out[3]) {
     double totals[3], taken[100][3];
@@ -142,7 +142,7 @@ static void textbook_shade(prt_rgb total, prt_vec3 normal, int count, const prt_
             for (j = 0; j < i && !(flags & PRT_FIV_NO_OVERLAP); j++) {
                 double a = disc_of(h[i].to_centre, (double)h[i].radius), b = disc_of(h[j].to_centre, (double)h[j].radius);
                 double f = 1, g = 1, lens = textbook_lens(a, b, chord(h[i].to_centre, h[j].to_centre)) / pi;
-                if (!(flags & PRT_FIV_PAPER_OVERLAP) && !(a == b && chord(h[i].to_centre, h[j].to_centre) == 0)) {
+                if ((flags & PRT_FIV_FILLED_OVERLAP) && !(a == b && chord(h[i].to_centre, h[j].to_centre) == 0)) {
                     f = textbook_filled(taken[i][c], totals[c], h[i].to_centre, (double)h[i].radius, normal, flags);
                     g = textbook_filled(taken[j][c], totals[c], h[j].to_centre, (double)h[j].radius, normal, flags);
                 }
@@ -443,17 +443,17 @@ static void overlap_takes_back_the_lens(void **state) {
 static void overlap_of_discs_that_are_filled_in_part(void **state) {
     const double s2 = 1.0 / 9, most = 1e-3 * pi * s2;              /* the radii differ by 1e-4, so that they are two bodies */
     prt_fiv_hidden h[2];
-    prt_rgb out;
+    prt_rgb out = { 0, 0, 0 };
     (void)state;
     h[0] = ball(vec3(0, 0, 1), 3, 1);
     h[1] = ball(vec3(0, 0, 1), 3, 1.0001);
     h[0].fiv.r.z *= (prt_real)0.5;
     h[1].fiv.r.z *= (prt_real)0.4;
-    assert_int_equal(prt_fiv_shade_vectors(rgb(pi, pi, pi), vec3(0, 0, 1), 2, h, 0, &out), PRT_OK);
+    assert_int_equal(prt_fiv_shade_vectors(rgb(pi, pi, pi), vec3(0, 0, 1), 2, h, PRT_FIV_FILLED_OVERLAP, &out), PRT_OK);
     assert_near(out.r, pi - pi * s2 * 0.7, most);
-    assert_int_equal(prt_fiv_shade_vectors(rgb(pi, pi, pi), vec3(0, 0, 1), 2, h, PRT_FIV_PAPER_OVERLAP, &out), PRT_OK);
+    assert_int_equal(prt_fiv_shade_vectors(rgb(pi, pi, pi), vec3(0, 0, 1), 2, h, 0, &out), PRT_OK);
     assert_near(out.r, pi - pi * s2 * 0.5, most);
-    assert_int_equal(prt_fiv_shade_vectors(rgb(0.55 * pi * s2, pi, pi), vec3(0, 0, 1), 2, h, 0, &out), PRT_OK);
+    assert_int_equal(prt_fiv_shade_vectors(rgb(0.55 * pi * s2, pi, pi), vec3(0, 0, 1), 2, h, PRT_FIV_FILLED_OVERLAP, &out), PRT_OK);
     assert_near(out.r, 0.05 * pi * s2, most);
 }
 
@@ -503,7 +503,7 @@ static void ball_over_a_plane(void **state) {
     for (k = 0; k < 500; k++) {
         prt_vec3 p = vec3(6 * uniform() - 3, 6 * uniform() - 3, 1), to;
         double v[9], r, want;
-        prt_rgb total = rgb(pi + 2 * pi / 3, pi, pi / 2), out;
+        prt_rgb total = rgb(pi + 2 * pi / 3, pi, pi / 2), out = rgb(0, 0, 0);
         o.position = vec3(0, 0, 2 + uniform());
         to = vec3((double)o.position.x - (double)p.x, (double)o.position.y - (double)p.y, (double)o.position.z - 1);
         r = sqrt((double)to.x * (double)to.x + (double)to.y * (double)to.y + (double)to.z * (double)to.z);
@@ -530,7 +530,7 @@ static void scene_of(prt_fiv_occluder *o, const prt_fiv_table *t, int count) {
 
 static void shading_agrees_with_the_textbook(void **state) {
     static const unsigned flags[6] = { 0, PRT_FIV_PAPER_PARTIAL, PRT_FIV_NO_OVERLAP, PRT_FIV_PAPER_PARTIAL | PRT_FIV_NO_OVERLAP,
-                                       PRT_FIV_PAPER_OVERLAP, PRT_FIV_PAPER_PARTIAL | PRT_FIV_PAPER_OVERLAP };
+                                       PRT_FIV_FILLED_OVERLAP, PRT_FIV_PAPER_PARTIAL | PRT_FIV_FILLED_OVERLAP };
     static const int counts[6] = { 0, 1, 2, 7, 33, MANY };
     prt_fiv_table t = ball_table();
     prt_fiv_occluder o[MANY];
@@ -1124,7 +1124,7 @@ static void every_place_is_survived(void **state) {
 static void zero_radius_hides_nothing(void **state) {
     prt_fiv_table t = ball_table();
     prt_fiv_occluder o = { NULL, { 0, 0, 2 } };
-    prt_rgb out;
+    prt_rgb out = { 0, 0, 0 };
     (void)state;
     o.table = &t;
     t.radius = 0;
@@ -1165,7 +1165,7 @@ static void disordered_distances_and_bad_samples(void **state) {
     prt_fiv_occluder o[2] = { { NULL, { 0, 0, 2 } }, { NULL, { 1, 0, 1 } } };
     const prt_rgb total = rgb(1, 2, 3);
     const prt_real bad[4] = { (prt_real)NAN, (prt_real)INFINITY, -(prt_real)INFINITY, PRT__REAL_MAX };
-    prt_rgb out;
+    prt_rgb out = { 0, 0, 0 };
     prt_fiv f = nothing;
     int k, c;
     (void)state;
