@@ -1112,7 +1112,7 @@ PRTDEF prt_result prt_vo_expand_diffuse(int material_count, const prt_vo_materia
 
 /* prt_vo_shade_n from indexed occluders, as if they were expanded first. With the second form caustics, DS and SS are
    off whatever params says. Errors as of prt_vo_shade_n and prt_vo_expand. Cost: as of prt_vo_shade_n; with AVX-512 a
-   tenth more. Accuracy: 64 eps as there (tests/test_vo.c). */
+   tenth to a sixth more, a third with one light. Accuracy: 64 eps as there (tests/test_vo.c). */
 PRTDEF prt_result prt_vo_shade_indexed_n(const prt_vo_params *params, int count, const prt_vo_point *points,
                                          prt_vec3 eye, const int *first, int material_count,
                                          const prt_vo_material *materials, const prt_vo_indexed *indexed,

@@ -374,6 +374,16 @@ int draw_plot(const advisor *a, why *w) {
 
 /* ---- the program ---- */
 
+static void print_transmissive(const mesh *m) {
+    if (m->transmissive_faces == 0)
+        printf("transmissive: no material; no caustics to store, vector occluders of shadows and diffuse light"
+               " suffice\n");
+    else
+        printf("transmissive: %d faces by their material; everything here takes them as opaque, and their caustics need"
+               " the full vector occluders, %d bytes packed instead of %d\n", m->transmissive_faces,
+               (int)sizeof(prt_vo_packed), (int)sizeof(prt_vo_packed_diffuse));
+}
+
 static int load(advisor *a, why *w) {
     const prt_vec3 origin = { 0, 0, 0 };
     prt_vec3 under = origin;
@@ -385,6 +395,7 @@ static int load(advisor *a, why *w) {
         if (a->mesh.points[i].position.z < under.z) under.z = a->mesh.points[i].position.z;
     if (a->o.floor && mesh_add_floor(&a->mesh, under, (prt_real)1.6, (prt_real)0.05, w)) return -1;
     printf("%s: %d vertices, %d triangles\n", a->o.mesh, a->mesh.point_count, a->mesh.triangle_count);
+    print_transmissive(&a->mesh);
     return embree_tracer_create(&a->tracer, w) || embree_tracer_add(&a->tracer, &a->mesh, 0, w) ||
            embree_tracer_build(&a->tracer, w) ? -1 : 0;
 }

@@ -95,8 +95,8 @@ int  advise_scene(advisor *a, why *w);
 /* The trial once more with other rays, at a->second. 0, or -1 and w. */
 int  verify_elsewhere(advisor *a, trial *t, why *w);
 
-/* Point lights: the environment cut into o.lights of them; their exit radiance without and with shadows; vector
-   occluders as trials. */
+/* Point lights: the environment cut into o.lights of them; their exit radiance without and with shadows. try_occluders
+   says how many occluders a vertex sees, under any light, and under point lights tries vector occluders. */
 int  lights_create(advisor *a, why *w);
 void lights_shade(const advisor *a, int count, const prt_point *points, prt_rgb *out);
 int  lights_trace(const advisor *a, const prt_point *p, double sum[3]);

@@ -233,7 +233,7 @@ static int try_cut(advisor *a, const checked *c, int groups, why *w) {
     snprintf(what, sizeof what, "advise: %d occluders", groups);
     failed = cut_mesh_create(a, groups, &cut, w) || vo_bake(a, c, &cut, VO_RAYS, 500 + a->o.seed, what, &j, w);
     if (!failed) print_occluders(&j, groups);
-    for (kept = 1; kept <= MOST_KEPT && kept <= groups && !failed; kept *= 2)
+    for (kept = 1; kept <= MOST_KEPT && kept <= groups && a->lights && !failed; kept *= 2)
         for (law = PRT_VO_SINE; law <= PRT_VO_CAP && !failed; law++) {
             trial t;
             memset(&t, 0, sizeof t);

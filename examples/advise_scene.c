@@ -465,7 +465,7 @@ int advise_scene(advisor *a, why *w) {
         const prt_real *chosen[LADDER];
         print_measurements(a, &a->first, transfer[done - 1][0]);
         for (step = 0; step < done; step++) chosen[step] = transfer[step][0];
-        failed = try_all(a, &a->first, transfer, done, w) || (a->lights && try_occluders(a, &a->first, w)) ||
+        failed = try_all(a, &a->first, transfer, done, w) || (!a->moving && try_occluders(a, &a->first, w)) ||
                  (a->moving && try_moving(a, &a->first, chosen, ladder, done, w)) ? -1 : 0;
     }
     for (step = 0; step < LADDER; step++) for (half = 0; half < HALVES; half++) free(transfer[step][half]);

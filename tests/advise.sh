@@ -61,6 +61,8 @@ bad 'must end in .svg or .png'                  planes.obj map.pfm --check 16 --
 timeout 60 "$program" planes.obj map.pfm --check 64 --rays 256 --threads 2 --error 0.3 --csv all.csv >stdout 2>stderr
 [ $? = 0 ] || { fail "the small run"; tail -3 stderr; }
 grep -q '^for an error of 30 %: .* bytes and .* ns a vertex' stdout || fail "no advice"
+grep -q '^transmissive: no material' stdout || fail "opaque material"
+[ "$(grep -c '^cut into .* occluders: a vertex sees' stdout)" -ge 3 ] || fail "no occluders counted"
 grep -qwi 'nan\|inf' stdout all.csv && fail "a figure is not finite"
 [ "$(wc -l <all.csv)" -gt 100 ] || fail "few rows in all.csv"
 # What bands cost is foretold: with most rays and from 4 to 10 bands within a tenth or half a percent of the mean.
@@ -69,6 +71,11 @@ awk -F, '$1 == "transfer" && $2 >= 4 && $2 <= 10 && $3 == 256 && $4 == "none" &&
 timeout 60 "$program" planes.obj map.pfm --check 64 --rays 64 --error 0.00001 >stdout 2>stderr
 [ $? = 3 ] || fail "exit code where nothing keeps the error"
 grep -q 'nothing that was tried; the least error was' stdout || fail "says that nothing keeps the error"
+# A pane of glass: one face of the file's two.
+printf 'newmtl glass\nd 0.25\nnewmtl wall\nd 1\n' >panes.mtl
+printf 'mtllib panes.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nusemtl glass\nf 1 2 3\nusemtl wall\nf 1 2 4\n' >panes.obj
+timeout 60 "$program" panes.obj map.pfm --check 16 --rays 64 --error 1 >stdout 2>stderr
+grep -q '^transmissive: 1 faces' stdout || fail "transmissive material"
 # Point lights: vector occluders are tried, too.
 timeout 60 "$program" planes.obj map.pfm --lights 3 --check 64 --rays 64 --error 1 --csv lights.csv >stdout 2>stderr
 [ $? = 0 ] || { fail "the run with lights"; tail -3 stderr; }

@@ -16,6 +16,7 @@ static prt_real first_coordinate;
 
 int raw_mesh_import(const char *path, raw_mesh *m, why *w) {
     (void)path; (void)w;
+    memset(m, 0, sizeof *m);
     m->vertex_count = m->triangle_count = 4;
     m->positions = (prt_vec3 *)malloc(sizeof corners);
     m->normals = (prt_vec3 *)calloc(4, sizeof *m->normals);

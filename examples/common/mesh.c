@@ -68,6 +68,7 @@ int mesh_load(const char *path, mesh_up up, mesh *m, why *w) {
     }
     failed = make_points(path, &raw, m, w);
     m->triangle_count = raw.triangle_count;
+    m->transmissive_faces = raw.transmissive_faces;
     m->triangles = raw.triangles;
     raw.triangles = NULL;
     raw_mesh_free(&raw);

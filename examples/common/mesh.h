@@ -15,6 +15,7 @@ typedef struct mesh {
     int       point_count, triangle_count;
     prt_point *points;                 /* position and unit normal of each vertex */
     uint32_t  *triangles;              /* three vertices each */
+    int       transmissive_faces;      /* of the file, whose material lets light through (opacity below 1) */
     prt_mesh_report report;            /* normals that were computed, triangles without area (kept), extent */
 } mesh;
 

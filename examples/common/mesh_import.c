@@ -2,6 +2,7 @@
 #include "mesh_import.h"
 
 #include <assimp/cimport.h>
+#include <assimp/material.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <fcntl.h>
@@ -38,7 +39,23 @@ static int raw_mesh_allocate(const char *path, uint64_t vertices, uint64_t trian
 
 /* ---- in the other process ---- */
 
-static const struct aiScene *import_scene(const char *path) {
+/* Materials are removed afterwards, so that vertices merge across them. */
+static int count_transmissive(const struct aiScene *scene) {
+    uint64_t count = 0;
+    unsigned k, i;
+    for (k = 0; k < scene->mNumMeshes; k++) {
+        const struct aiMesh *part = scene->mMeshes[k];
+        float opacity = 1;
+        if (part->mMaterialIndex >= scene->mNumMaterials ||
+            aiGetMaterialFloatArray(scene->mMaterials[part->mMaterialIndex], AI_MATKEY_OPACITY, &opacity, NULL) !=
+                AI_SUCCESS || !(opacity < 1))
+            continue;
+        for (i = 0; i < part->mNumFaces; i++) count += part->mFaces[i].mNumIndices > 2;
+    }
+    return count < INT_MAX ? (int)count : INT_MAX;
+}
+
+static const struct aiScene *import_scene(const char *path, int *transmissive_faces) {
     struct aiPropertyStore *properties = aiCreatePropertyStore();
     const struct aiScene *scene;
     aiSetImportPropertyInteger(properties, AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
@@ -46,13 +63,12 @@ static const struct aiScene *import_scene(const char *path) {
                                aiComponent_TANGENTS_AND_BITANGENTS | aiComponent_COLORS | aiComponent_TEXCOORDS |
                                aiComponent_BONEWEIGHTS | aiComponent_ANIMATIONS | aiComponent_TEXTURES |
                                aiComponent_LIGHTS | aiComponent_CAMERAS | aiComponent_MATERIALS);
-    scene = aiImportFileExWithProperties(path,
-                                         aiProcess_ValidateDataStructure | aiProcess_Triangulate |
-                                         aiProcess_SortByPType | aiProcess_RemoveComponent |
-                                         aiProcess_PreTransformVertices | aiProcess_JoinIdenticalVertices,
-                                         NULL, properties);
+    scene = aiImportFileExWithProperties(path, aiProcess_ValidateDataStructure, NULL, properties);
     aiReleasePropertyStore(properties);
-    return scene;
+    if (!scene) return NULL;
+    *transmissive_faces = count_transmissive(scene);
+    return aiApplyPostProcessing(scene, aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_RemoveComponent |
+                                        aiProcess_PreTransformVertices | aiProcess_JoinIdenticalVertices);
 }
 
 /* assimp's messages may run over several lines and end in one. */
@@ -111,18 +127,21 @@ static int copy_scene(const struct aiScene *scene, const char *path, raw_mesh *m
 }
 
 static int import(const char *path, raw_mesh *m, why *w) {
-    const struct aiScene *scene = import_scene(path);
+    int transmissive_faces = 0;
+    const struct aiScene *scene = import_scene(path, &transmissive_faces);
     if (!scene) {
         char reason[256];
         first_line(aiGetErrorString(), reason, sizeof reason);
         return why_set(w, "%s: cannot be read as a mesh: %s", path, reason);
     }
-    return copy_scene(scene, path, m, w);                  /* the scene goes with the process */
+    if (copy_scene(scene, path, m, w)) return -1;          /* the scene goes with the process */
+    m->transmissive_faces = transmissive_faces;
+    return 0;
 }
 
 /* ---- between the two ---- */
 
-typedef struct answer { int failed, vertex_count, triangle_count; why why; } answer;
+typedef struct answer { int failed, vertex_count, triangle_count, transmissive_faces; why why; } answer;
 
 static void import_and_answer(const char *path, int descriptor) {
     const struct rlimit limit = { MOST_SECONDS, MOST_SECONDS };
@@ -132,11 +151,13 @@ static void import_and_answer(const char *path, int descriptor) {
     int silent = open("/dev/null", O_WRONLY);
     if (silent >= 0) dup2(silent, STDERR_FILENO);          /* what a dying C++ runtime says helps nobody */
     setrlimit(RLIMIT_CPU, &limit);
+    memset(&m, 0, sizeof m);
     memset(&a, 0, sizeof a);
     a.failed = import(path, &m, &a.why);
     if (!a.failed) {
         a.vertex_count = m.vertex_count;
         a.triangle_count = m.triangle_count;
+        a.transmissive_faces = m.transmissive_faces;
     }
     if (!to || fwrite(&a, sizeof a, 1, to) != 1) _exit(1);
     if (!a.failed) {
@@ -159,6 +180,7 @@ static int read_answer(FILE *from, const char *path, raw_mesh *m, why *w) {
     vertices = (size_t)a.vertex_count;
     triangles = (size_t)a.triangle_count;
     if (raw_mesh_allocate(path, vertices, triangles, m, w)) return -1;
+    m->transmissive_faces = a.transmissive_faces;
     if (fread(m->positions, sizeof *m->positions, vertices, from) == vertices &&
         fread(m->normals, sizeof *m->normals, vertices, from) == vertices &&
         fread(m->triangles, 3 * sizeof *m->triangles, triangles, from) == triangles)

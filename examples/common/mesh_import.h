@@ -10,6 +10,7 @@ typedef struct raw_mesh {
     int      vertex_count, triangle_count;
     prt_vec3 *positions, *normals;     /* as in the file; normals are zero where the file has none */
     uint32_t *triangles;
+    int      transmissive_faces;       /* of the file, whose material lets light through */
 } raw_mesh;
 
 /* The whole scene in one mesh of at least one triangle. Call it while the program has one thread. 0, or -1 and w. */
