@@ -6073,6 +6073,9 @@ PRTDEF prt_result prt_ch_product(int bands, const prt_real *f, const prt_real *g
 
 /* ------------------------------------------------------------------------------------------------- >>shade ---- */
 
+/* Of a row on the stack: whole vectors of eight, or GCC warns of loops that a build of 1 or 2 bands never enters. */
+enum { PRT__ROW_LENGTH = PRT_SH_COUNT(PRT_MAX_BANDS) < 8 ? 8 : PRT_SH_COUNT(PRT_MAX_BANDS) };
+
 /* The three dot products of a transfer vector with the planes of a light, in one pass; each is bit-equal to prt__dot.
    The vector has one plane for all channels, or one for each `planar` numbers apart: 0 or n. */
 PRT__INLINE prt_rgb prt__shade(int n, ptrdiff_t planar, const prt_real *transfer, const prt_real *light) {
@@ -6188,7 +6191,7 @@ PRT__STATIC prt_rgb prt__light_of_steps(const prt_packed_transfer *p, int n, con
 
 PRTDEF prt_result prt_shade_packed_n(const prt_packed_transfer *packed, int first, int count, const prt_real *light,
                                      prt_rgb *out) {
-    prt_real scaled[3 * PRT_SH_COUNT(PRT_MAX_BANDS)], row[PRT_SH_COUNT(PRT_MAX_BANDS)];
+    prt_real scaled[3 * PRT_SH_COUNT(PRT_MAX_BANDS)], row[PRT__ROW_LENGTH];
     prt_rgb lowest = { 0, 0, 0 }, shade;
     prt_result r = prt__packed_check(packed, first, count, out);
     int n, k;
@@ -6210,7 +6213,7 @@ PRTDEF prt_result prt_shade_packed_n(const prt_packed_transfer *packed, int firs
 }
 
 PRTDEF prt_result prt_transfer_unpack(const prt_packed_transfer *packed, int first, int count, prt_real *transfer) {
-    prt_real row[PRT_SH_COUNT(PRT_MAX_BANDS)];
+    prt_real row[PRT__ROW_LENGTH];
     prt_result r = prt__packed_check(packed, first, count, transfer);
     int n, k, i;
     if (r != PRT_OK) return r;
@@ -6265,7 +6268,7 @@ PRTDEF prt_result prt_shade_glossy(int bands, const prt_real *incident, const pr
 PRTDEF prt_result prt_shade_glossy_n(int bands, int count, const prt_real *incident, const prt_real *zonal,
                                      const prt_vec3 *dirs, prt_rgb *out) {
     prt_result r = prt__shade_check(bands, count, incident, dirs, out);
-    prt_real factor[PRT_MAX_BANDS], y[PRT_SH_COUNT(PRT_MAX_BANDS)];
+    prt_real factor[PRT_MAX_BANDS], y[PRT__ROW_LENGTH];
     int n, k, l, m;
     if (r != PRT_OK) return r;
     n = PRT_SH_COUNT(bands);

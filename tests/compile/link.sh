@@ -37,6 +37,9 @@ done
 for bands in 1 3 1024; do   # every function compiled, with the warnings that need the optimiser
     check "PRT_MAX_BANDS=$bands, PRT_NO_SIMD, optimised" limits -DPRT_MAX_BANDS=$bands -DPRT_NO_SIMD -O2
 done
+for bands in 1 2; do        # fewer coefficients than a vector has lanes
+    check "PRT_MAX_BANDS=$bands, optimised" limits -DPRT_MAX_BANDS=$bands -O2
+done
 
 check "PRT_NO_CH" limits -DPRT_NO_CH -O2
 check "PRT_NO_CH, double, static" limits -DPRT_NO_CH -DPRT_DOUBLE -DPRT_STATIC
