@@ -12,6 +12,7 @@
 #include <string.h>
 
 #include "bake_job.h"
+#include "plot.h"
 #include "progress.h"
 #include "replacement.h"
 
@@ -350,11 +351,10 @@ static int count_of(const advisor *a, method m) {
 
 int draw_plot(const advisor *a, why *w) {
     const char *path = a->o.plot;
-    int m, status;
+    int m;
     const char *comma = "";
-    FILE *to;
-    to = popen("gnuplot 2>/dev/null", "w");
-    if (!to) return why_set(w, "gnuplot cannot be started: install gnuplot-nox");
+    FILE *to = plot_open(w);
+    if (!to) return -1;
     fprintf(to, "set terminal %s size 900,600\nset output '%s'\n", ends_with(path, ".png") ? "pngcairo" : "svg", path);
     fprintf(to, "set logscale xy\nset grid\nset key top right\nset xlabel '%s'\n",
             a->o.by_time ? "ns a vertex" : "bytes a vertex (none stands at 0.5)");
@@ -368,8 +368,7 @@ int draw_plot(const advisor *a, why *w) {
         fprintf(to, ", %g with lines dt 2 lc rgb '#808080' title '%g %%'", 100 * a->o.errors[m], 100 * a->o.errors[m]);
     fprintf(to, "\n");
     for (m = 0; m < METHOD_COUNT; m++) if (count_of(a, (method)m) > 0) send_points(a, (method)m, to);
-    status = pclose(to);
-    return status == 0 ? 0 : why_set(w, "%s: cannot be drawn: gnuplot is missing or failed; install gnuplot-nox", path);
+    return plot_close(to, path, w);
 }
 
 /* ---- the program ---- */

@@ -144,8 +144,7 @@ static int vo_bake(const advisor *a, const checked *c, const cut_mesh *cut, int 
     p.stop = &interrupted;
     p.work = bake_some;
     p.user = j;
-    if (parallel_run(&p, w)) return -1;
-    return p.done == c->count ? 0 : why_set(w, "interrupted");
+    return parallel_all(&p, w);
 }
 
 /* At most `kept` of each vertex, packed, ready to shade. */

@@ -304,8 +304,7 @@ static int bake_matrices(const study *d, const stage *s, const prt_real *transfe
     job.stop = &interrupted;
     job.work = glossy_range;
     job.user = &g;
-    if (parallel_run(&job, w)) return -1;
-    return job.done == job.count ? 0 : why_set(w, "interrupted");
+    return parallel_all(&job, w);
 }
 
 /* Where vertices mirror the eye, and whether they face it. */

@@ -413,13 +413,19 @@ static void extreme_shade_fiv(double size, double away, prt_rgb *out) {
     o.position = extreme_vec3(0.53 * size + shift, -0.72 * size + shift, 1.51 * size + shift);
     prt_fiv_shade(total, extreme_vec3(shift, shift, shift), extreme_vec3(0.36, 0.48, 0.8), 1, &o, 0, out);
 }
-static extreme extreme_fiv(double exponent, double away) {
+
+/* A scene of size 1 at the origin, and the same at another size, so many sizes away. */
+static extreme extreme_moved(void (*shade)(double size, double away, prt_rgb *out), double exponent, double away,
+                             double allowed) {
     prt_rgb one = { 0, 0, 0 }, other = { 9, 9, 9 };
     extreme worst = extreme_none();
-    extreme_shade_fiv(1, 0, &one);
-    extreme_shade_fiv(ldexp(1, (int)exponent), away, &other);
-    extreme_take(&worst, (double)other.r - (double)one.r, (100 + 8 * away) * EXTREME_EPS);
+    shade(1, 0, &one);
+    shade(ldexp(1, (int)exponent), away, &other);
+    extreme_take(&worst, (double)other.r - (double)one.r, allowed);
     return worst;
+}
+static extreme extreme_fiv(double exponent, double away) {
+    return extreme_moved(extreme_shade_fiv, exponent, away, (100 + 8 * away) * EXTREME_EPS);
 }
 
 static void extreme_shade_vo(double size, double away, prt_rgb *out) {
@@ -447,12 +453,7 @@ static void extreme_shade_vo(double size, double away, prt_rgb *out) {
                  &light, out);
 }
 static extreme extreme_vo(double exponent, double away) {
-    prt_rgb one = { 0, 0, 0 }, other = { 9, 9, 9 };
-    extreme worst = extreme_none();
-    extreme_shade_vo(1, 0, &one);
-    extreme_shade_vo(ldexp(1, (int)exponent), away, &other);
-    extreme_take(&worst, (double)other.r - (double)one.r, (64 + 32 * away) * EXTREME_EPS);
-    return worst;
+    return extreme_moved(extreme_shade_vo, exponent, away, (64 + 32 * away) * EXTREME_EPS);
 }
 
 /* ---- the list ---- */

@@ -15,6 +15,12 @@ static inline prt_vec3 vec3(double x, double y, double z) {
     return v;
 }
 
+static inline prt_rgb rgb(double r, double g, double b) {
+    prt_rgb c;
+    c.r = (prt_real)r; c.g = (prt_real)g; c.b = (prt_real)b;
+    return c;
+}
+
 static inline prt_vec3 scaled(prt_vec3 v, double s) {
     return vec3(s * (double)v.x, s * (double)v.y, s * (double)v.z);
 }

@@ -3,15 +3,10 @@
 #include "memory_hook.h"
 #include "test.h"
 #include "geometry.h"
+#include "tracer.h"
 #include <limits.h>
 
 enum { BANDS = 5, N = PRT_SH_COUNT(BANDS) };
-
-static prt_rgb rgb(double r, double g, double b) {
-    prt_rgb c;
-    c.r = (prt_real)r; c.g = (prt_real)g; c.b = (prt_real)b;
-    return c;
-}
 
 /* A value that no formula makes by accident. */
 static prt_real scrambled(int k) { return (prt_real)(sin(12.9898 * k + 1) * 0.7); }
@@ -74,12 +69,7 @@ static int bowl_closest(void *user, int count, const prt_ray *rays, prt_hit *hit
 }
 
 static int bowl_occluded(void *user, int count, const prt_ray *rays, unsigned char *blocked) {
-    prt_hit hits[PRT_BAKE_BATCH];
-    int k, failed;
-    for (k = 0; k < count; k++) hits[k].object = -1;
-    failed = bowl_closest(user, count, rays, hits);
-    for (k = 0; k < count; k++) blocked[k] = hits[k].object >= 0;
-    return failed;
+    return occluded_by(bowl_closest, user, count, rays, blocked);
 }
 
 /* Everything that a bounce needs, about one scene of one object. */

@@ -2,21 +2,12 @@
    to a Phong lobe against one integral; frames, folding, BRDF matrices; ranges, errors, memory. */
 #include "memory_hook.h"
 #include "test.h"
+#include "geometry.h"
+#include "tracer.h"
 #include <limits.h>
 
 enum { BANDS = 5, N = PRT_SH_COUNT(BANDS), MOST = 6 * 6 };
-static const double pi = 3.14159265358979323846;
 
-static prt_vec3 vec3(double x, double y, double z) {
-    prt_vec3 v;
-    v.x = (prt_real)x; v.y = (prt_real)y; v.z = (prt_real)z;
-    return v;
-}
-static prt_rgb rgb(double r, double g, double b) {
-    prt_rgb c;
-    c.r = (prt_real)r; c.g = (prt_real)g; c.b = (prt_real)b;
-    return c;
-}
 static double dot3(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 static prt_real scrambled(int k) { return (prt_real)(sin(12.9898 * k + 1) * 0.7); }
 
@@ -90,12 +81,7 @@ static int world_closest(void *user, int count, const prt_ray *rays, prt_hit *hi
 }
 
 static int world_occluded(void *user, int count, const prt_ray *rays, unsigned char *blocked) {
-    prt_hit hits[PRT_BAKE_BATCH];
-    int k, failed;
-    for (k = 0; k < count; k++) hits[k].object = -1;
-    failed = world_closest(user, count, rays, hits);
-    for (k = 0; k < count; k++) blocked[k] = hits[k].object >= 0;
-    return failed;
+    return occluded_by(world_closest, user, count, rays, blocked);
 }
 
 typedef struct setup {

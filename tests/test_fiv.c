@@ -9,12 +9,6 @@ enum { THETAS = 9, PHIS = 16, RHOS = 5, SAMPLES = THETAS * PHIS * RHOS };
 
 /* ---- small helpers ---- */
 
-static prt_rgb rgb(double r, double g, double b) {
-    prt_rgb c;
-    c.r = (prt_real)r; c.g = (prt_real)g; c.b = (prt_real)b;
-    return c;
-}
-
 static const prt_fiv nothing;                                  /* what a call that fails leaves as it was */
 
 static void components(const prt_fiv *f, double out[9]) {

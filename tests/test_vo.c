@@ -8,11 +8,6 @@
 
 /* ---- random scenes ---- */
 
-static prt_rgb rgb(double r, double g, double b) {
-    prt_rgb c;
-    c.r = (prt_real)r; c.g = (prt_real)g; c.b = (prt_real)b;
-    return c;
-}
 static prt_vec3 noise_place(double size) { return vec3(size * (uniform() - .5), size * (uniform() - .5), size * (uniform() - .5)); }
 static prt_rgb noise_color(void) { double r = uniform(), g = uniform(); return rgb(r, g, uniform()); }
 static prt_vo_point noise_point(void) {

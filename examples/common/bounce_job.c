@@ -27,8 +27,7 @@ int bounce_job_run(const bounce_job *job, why *w) {
     loop.stop = own.stop;
     loop.work = bounce_range;
     loop.user = &own;
-    if (parallel_run(&loop, w)) return -1;
-    return loop.done == loop.count ? 0 : why_set(w, "interrupted");
+    return parallel_all(&loop, w);
 }
 
 prt_bounce_object bounce_object_of(const mesh *m, prt_rgb albedo) {

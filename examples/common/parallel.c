@@ -71,3 +71,8 @@ int parallel_run(parallel *p, why *w) {
     return s.failed ? why_set(w, "%s: failed: out of memory, or rays could not be traced", p->what ? p->what : "work")
                     : 0;
 }
+
+int parallel_all(parallel *p, why *w) {
+    if (parallel_run(p, w)) return -1;
+    return p->done == p->count ? 0 : why_set(w, "interrupted");
+}

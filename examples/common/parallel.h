@@ -22,4 +22,7 @@ typedef struct parallel {
 /* 0, or -1 with the reason in w where begin or work return nonzero or no thread can be started. */
 int parallel_run(parallel *p, why *w);
 
+/* The same where a part is of no use: -1, "interrupted", if it was stopped before the end. */
+int parallel_all(parallel *p, why *w);
+
 #endif

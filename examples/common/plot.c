@@ -3,10 +3,21 @@
 
 #include <stdio.h>
 
-int plot_draw(const plot *p, const char *path, why *w) {
+FILE *plot_open(why *w) {
     FILE *to = popen("gnuplot 2>/dev/null", "w");
+    if (!to) why_set(w, "gnuplot cannot be started: install gnuplot-nox");
+    return to;
+}
+
+int plot_close(FILE *to, const char *path, why *w) {
+    if (pclose(to) == 0) return 0;
+    return why_set(w, "%s: cannot be drawn: gnuplot is missing or failed; install gnuplot-nox", path);
+}
+
+int plot_draw(const plot *p, const char *path, why *w) {
+    FILE *to = plot_open(w);
     int k, i;
-    if (!to) return why_set(w, "gnuplot cannot be started: install gnuplot-nox");
+    if (!to) return -1;
     fprintf(
         to,
         "set terminal svg size 760,420 background rgb 'white'\nset output '%s'\nset title '%s'\nset xlabel '%s'\n"
@@ -20,6 +31,5 @@ int plot_draw(const plot *p, const char *path, why *w) {
         for (i = 0; i < p->places; i++) fprintf(to, "%g %g\n", p->x[k][i], p->y[k][i]);
         fprintf(to, "e\n");
     }
-    return pclose(to) == 0 ? 0
-                           : why_set(w, "%s: cannot be drawn: gnuplot is missing or failed; install gnuplot-nox", path);
+    return plot_close(to, path, w);
 }

@@ -21,7 +21,7 @@ int ends_with(const char *text, const char *end);
 /* The directory is there, or is made. 0, or -1 and w. */
 int make_directory(const char *path, why *w);
 
-/* A new directory of its own among the temporary files, NAME-XXXXXX in $TMPDIR. 0, or -1. */
+/* A new directory of its own among the temporary files, NAME- and six letters in $TMPDIR. 0, or -1. */
 int make_temporary_directory(const char *name, char *path, size_t size);
 
 #endif

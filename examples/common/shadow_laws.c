@@ -84,8 +84,7 @@ int shadow_truth_trace(const techniques *t, int directions, double angle, double
     job.stop = t->stop;
     job.work = trace_range;
     job.user = &g;
-    if (parallel_run(&job, w)) return -1;
-    return job.done == job.count ? 0 : why_set(w, "interrupted");
+    return parallel_all(&job, w);
 }
 
 void shadow_truth_free(shadow_truth *t) {

@@ -149,6 +149,5 @@ int sky_paths_trace(const sky_paths *s, why *w) {
     job.work = trace_range;
     job.end = end;
     job.user = &own;
-    if (parallel_run(&job, w)) return -1;
-    return job.done == job.count ? 0 : why_set(w, "interrupted");
+    return parallel_all(&job, w);
 }
