@@ -7070,15 +7070,18 @@ PRT__STATIC void prt__fiv_take(const prt__fiv_scene *s, const prt__vec vectors[9
                                prt__vec sine, prt__vec cut, int partial, prt__fiv_seen *seen) {
     const prt__vec zero = prt__vec_set(0), one = prt__vec_set(1);
     int paper = (s->flags & PRT_FIV_PAPER_PARTIAL) != 0, parts = (s->flags & PRT_FIV_FILLED_OVERLAP) != 0, c;
-    prt__vec full = sine * sine * prt__vec_most(paper ? up * cut : up + cut, prt__vec_set(PRT__R(1.0 / 1024)));
+    prt__vec full = zero;
+    if (parts) full = sine * sine * prt__vec_most(paper ? up * cut : up + cut, prt__vec_set(PRT__R(1.0 / 1024)));
     for (c = 0; c < 3; c++) {
         prt__vec x = vectors[3 * c], y = vectors[3 * c + 1], z = vectors[3 * c + 2];
         prt__vec along = x * s->nx + y * s->ny + z * s->nz;
         if (paper) along = along * cut;
         else if (partial) along = along + PRT__SELECT(cut > zero, prt__vec_root(x * x + y * y + z * z) * cut, zero);
         seen->taken[c] = PRT__SELECT(lit > zero, prt__vec_clamp(along, zero, s->total[c]), zero);
+        seen->filled[c] = one;
+        if (!parts) continue;
         along = s->total[c] * full;
-        seen->filled[c] = parts ? PRT__SELECT(seen->taken[c] < along, seen->taken[c] / along, one) : one;
+        seen->filled[c] = PRT__SELECT(seen->taken[c] < along, seen->taken[c] / along, one);
     }
 }
 
