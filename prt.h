@@ -76,7 +76,7 @@
      PRT_STATIC          everything is static: include with PRT_IMPLEMENTATION in each file that uses it. One program can
                          so hold both precisions, in different files
      PRTDEF              storage and linkage of the declarations, where `extern` is not what you want (dllexport, say)
-     PRT_MAX_BANDS       largest number of bands [64]
+     PRT_MAX_BANDS       largest number of bands [64], 1 to 1024: arrays on the stack grow with its square
      PRT_NO_SIMD         plain C only: no vector extensions
      PRT_NO_CH           without the room >>ch, of which few programs have need: a quarter less to compile. (With
                          PRT_STATIC the compiler drops what a file does not call, which is faster still.)
@@ -145,6 +145,9 @@ extern "C" {
 
 #ifndef PRT_MAX_BANDS
 #  define PRT_MAX_BANDS 64
+#endif
+#if PRT_MAX_BANDS < 1 || PRT_MAX_BANDS > 1024
+#  error "prt.h: PRT_MAX_BANDS must be a number from 1 to 1024"
 #endif
 
 #define PRT_VERSION "0.1.0"
@@ -1251,13 +1254,11 @@ extern "C" {
 #  define PRT__EPS DBL_EPSILON
 #  define PRT__REAL_MAX DBL_MAX
 #  define PRT__REAL_MIN DBL_MIN
-#  define PRT__REAL_MIN DBL_MIN
 PRT__INLINE prt_real prt__sqrt(prt_real v) { return sqrt(v); }
 PRT__INLINE prt_real prt__sign(prt_real v) { return copysign(1.0, v); }
 #else
 #  define PRT__EPS FLT_EPSILON
 #  define PRT__REAL_MAX FLT_MAX
-#  define PRT__REAL_MIN FLT_MIN
 #  define PRT__REAL_MIN FLT_MIN
 PRT__INLINE prt_real prt__sqrt(prt_real v) { return sqrtf(v); }
 PRT__INLINE prt_real prt__sign(prt_real v) { return copysignf(1.0f, v); }
@@ -1283,6 +1284,9 @@ PRT__INLINE int prt__rgb_within_1(prt_rgb c) {                 /* false for NaN 
 }
 
 PRT__INLINE int prt__bands_ok(int bands) { return bands >= 1 && bands <= PRT_MAX_BANDS; }
+
+/* bands > most, known to be false when it is compiled where PRT_MAX_BANDS is no more: what it leads to is left out. */
+PRT__INLINE int prt__above(int bands, int most) { return PRT_MAX_BANDS > most && bands > most; }
 
 PRT__INLINE prt_vec3 prt__vec3(prt_real x, prt_real y, prt_real z) { prt_vec3 v; v.x = x; v.y = y; v.z = z; return v; }
 
@@ -1407,6 +1411,302 @@ PRT__INLINE prt_real prt__real_of_half(uint16_t half) {        /* infinity and N
     memcpy(&f, &bits, sizeof f);
     if (size < 0x400u) f = (float)size * (1.0f / 16777216);    /* in steps of 2^-24 */
     return (prt_real)(half & 0x8000u ? -f : f);
+}
+
+/* Eight partial sums: a single one would wait for each addition. Which term goes to which sum is fixed, and so are the
+   bits, whatever the width of the machine. */
+#if PRT__SIMD && PRT__LANES >= 8                                /* narrower registers: gcc spills vectors wider than they */
+typedef prt_real prt__oct __attribute__((vector_size(8 * sizeof(prt_real))));
+PRT__INLINE void prt__oct_madd(prt__oct *sum, const prt_real *f, const prt_real *g) {
+    prt__oct a, b;
+    memcpy(&a, f, sizeof a);
+    memcpy(&b, g, sizeof b);
+    *sum += a * b;
+}
+#elif PRT__SIMD
+typedef struct prt__oct { prt__vec part[8 / PRT__LANES]; } prt__oct;
+PRT__INLINE void prt__oct_madd(prt__oct *sum, const prt_real *f, const prt_real *g) {
+    int k;
+    PRT__UNROLL
+    for (k = 0; k < 8 / PRT__LANES; k++)
+        sum->part[k] += prt__vec_load(f + k * PRT__LANES) * prt__vec_load(g + k * PRT__LANES);
+}
+#else
+typedef struct prt__oct { prt_real lane[8]; } prt__oct;
+PRT__INLINE void prt__oct_madd(prt__oct *sum, const prt_real *f, const prt_real *g) {
+    int k;
+    for (k = 0; k < 8; k++) sum->lane[k] += f[k] * g[k];
+}
+#endif
+PRT__INLINE prt_real prt__oct_sum(const prt__oct *sum) {
+    prt_real s[8];
+    memcpy(s, sum, sizeof s);
+    return ((s[0] + s[4]) + (s[2] + s[6])) + ((s[1] + s[5]) + (s[3] + s[7]));
+}
+
+/* |R R^T - 1| <= 1e-3 in every entry; an entry that is not finite fails. */
+PRT__STATIC int prt__rotation_ok(const prt_real *r) {
+    const prt_real tolerance = PRT__R(1e-3);
+    prt_real xx = r[0] * r[0] + r[1] * r[1] + r[2] * r[2] - 1, xy = r[0] * r[3] + r[1] * r[4] + r[2] * r[5];
+    prt_real yy = r[3] * r[3] + r[4] * r[4] + r[5] * r[5] - 1, yz = r[3] * r[6] + r[4] * r[7] + r[5] * r[8];
+    prt_real zz = r[6] * r[6] + r[7] * r[7] + r[8] * r[8] - 1, zx = r[6] * r[0] + r[7] * r[1] + r[8] * r[2];
+    int i;
+    for (i = 0; i < 9; i++)
+        if (!prt__finite(r[i])) return 0;
+    return prt__abs(xx) <= tolerance && prt__abs(yy) <= tolerance && prt__abs(zz) <= tolerance
+        && prt__abs(xy) <= tolerance && prt__abs(yz) <= tolerance && prt__abs(zx) <= tolerance;
+}
+
+typedef struct prt__frame { double t[3], b[3], n[3]; } prt__frame;
+
+/* A right-handed orthonormal frame about the normal, [Duff 2017]; the normal is normalised first. */
+PRT__STATIC prt__frame prt__frame_about(prt_vec3 normal) {
+    prt__frame f;
+    double x = (double)normal.x, y = (double)normal.y, z = (double)normal.z, s = 1 / sqrt(x * x + y * y + z * z);
+    double sign = z < 0 ? -1.0 : 1.0, a, b;
+    x *= s; y *= s; z *= s;
+    a = -1 / (sign + z);
+    b = x * y * a;
+    f.n[0] = x; f.n[1] = y; f.n[2] = z;
+    f.t[0] = 1 + sign * x * x * a; f.t[1] = sign * b; f.t[2] = -sign * x;
+    f.b[0] = b; f.b[1] = sign + y * y * a; f.b[2] = -y;
+    return f;
+}
+
+/* BEGIN GENERATED: prt_codegen --table windows --count 16 */
+/* hann windows: weight of band l for width 1 ... 16 at (width-1) width/2 + l */
+PRT__STATIC const double *prt__window_hann(void) {
+    static const double table[136] = {
+        1.0, 1.0, 0.5, 1.0, 0.75, 0.25, 1.0, 0.8535533905932737622, 0.5, 0.1464466094067262378,
+        1.0, 0.90450849718747371205, 0.65450849718747371205, 0.34549150281252628795, 0.095491502812526287949,
+        1.0, 0.93301270189221932338, 0.75, 0.5, 0.25, 0.066987298107780676618, 1.0, 0.95048443395120956312,
+        0.81174490092936676526, 0.61126046697815720214, 0.38873953302184279786, 0.18825509907063323474,
+        0.049515566048790436882, 1.0, 0.96193976625564337806, 0.8535533905932737622, 0.69134171618254488586,
+        0.5, 0.30865828381745511414, 0.1464466094067262378, 0.038060233744356621936, 1.0, 0.96984631039295419203,
+        0.8830222215594890176, 0.75, 0.58682408883346517443, 0.41317591116653482557, 0.25, 0.1169777784405109824,
+        0.030153689607045807973, 1.0, 0.97552825814757678606, 0.90450849718747371205, 0.79389262614623656458,
+        0.65450849718747371205, 0.5, 0.34549150281252628795, 0.20610737385376343542, 0.095491502812526287949,
+        0.024471741852423213942, 1.0, 0.97974648680724869495, 0.92062676641559058443, 0.82743036697264253203,
+        0.70770750650094321276, 0.57115741913664257022, 0.42884258086335742978, 0.29229249349905678724,
+        0.17256963302735746797, 0.079373233584409415569, 0.020253513192751305055, 1.0, 0.98296291314453414337,
+        0.93301270189221932338, 0.8535533905932737622, 0.75, 0.62940952255126038117, 0.5, 0.37059047744873961883,
+        0.25, 0.1464466094067262378, 0.066987298107780676618, 0.017037086855465856625, 1.0, 0.98547090871302601358,
+        0.94272801282660494795, 0.87425537408555054932, 0.78403237336557790126, 0.67730244352126781298,
+        0.56026834012766152667, 0.43973165987233847333, 0.32269755647873218702, 0.21596762663442209874,
+        0.12574462591444945068, 0.05727198717339505205, 0.014529091286973986422, 1.0, 0.98746395609091180351,
+        0.95048443395120956312, 0.89091574123401490435, 0.81174490092936676526, 0.71694186955877906024,
+        0.61126046697815720214, 0.5, 0.38873953302184279786, 0.28305813044122093976, 0.18825509907063323474,
+        0.10908425876598509565, 0.049515566048790436882, 0.012536043909088196491, 1.0, 0.98907380036690281896,
+        0.95677272882130044775, 0.90450849718747371205, 0.83456530317942910691, 0.75, 0.65450849718747371205,
+        0.5522642316338267357, 0.4477357683661732643, 0.34549150281252628795, 0.25, 0.16543469682057089309,
+        0.095491502812526287949, 0.043227271178699552249, 0.010926199633097181036, 1.0, 0.99039264020161522456,
+        0.96193976625564337806, 0.91573480615127261854, 0.8535533905932737622, 0.77778511650980111237,
+        0.69134171618254488586, 0.59754516100806413392, 0.5, 0.40245483899193586608, 0.30865828381745511414,
+        0.22221488349019888763, 0.1464466094067262378, 0.084265193848727381461, 0.038060233744356621936,
+        0.0096073597983847754369
+    };
+    return table;
+}
+
+/* lanczos windows: weight of band l for width 1 ... 16 at (width-1) width/2 + l */
+PRT__STATIC const double *prt__window_lanczos(void) {
+    static const double table[136] = {
+        1.0, 1.0, 0.63661977236758134308, 1.0, 0.82699334313268807427, 0.41349667156634403713,
+        1.0, 0.90031631615710606956, 0.63661977236758134308, 0.30010543871903535652, 1.0, 0.93548928378863903321,
+        0.75682672864065697923, 0.50455115242710465282, 0.2338723209471597583, 1.0, 0.95492965855137201461,
+        0.82699334313268807427, 0.63661977236758134308, 0.41349667156634403713, 0.19098593171027440292,
+        1.0, 0.96676638530855214796, 0.87102641569756015086, 0.72410144978265952504, 0.54307608733699464378,
+        0.34841056627902406035, 0.16112773088475869133, 1.0, 0.97449535840443264512, 0.90031631615710606956,
+        0.78421330357653712202, 0.63661977236758134308, 0.47052798214592227321, 0.30010543871903535652,
+        0.13921362262920466359, 1.0, 0.97981553605101648399, 0.92072542895852937812, 0.82699334313268807427,
+        0.70531659849201881006, 0.56425327879361504804, 0.41349667156634403713, 0.2630644082738655366,
+        0.1224769420063770605, 1.0, 0.98363164308346596735, 0.93548928378863903321, 0.85839369133413977501,
+        0.75682672864065697923, 0.63661977236758134308, 0.50455115242710465282, 0.36788301057177418929,
+        0.2338723209471597583, 0.10929240478705177415, 1.0, 0.98646083912710205269, 0.94650224388831548428,
+        0.88206272365255806559, 0.79624835650368565609, 0.69315389111626959647, 0.57762824259689133039,
+        0.45499906085924894633, 0.3307735213697092746, 0.21033383197518121873, 0.098646083912710205269,
+        1.0, 0.98861592946536921938, 0.95492965855137201461, 0.90031631615710606956, 0.82699334313268807427,
+        0.73791297558733748561, 0.63661977236758134308, 0.52708069684809820401, 0.41349667156634403713,
+        0.30010543871903535652, 0.19098593171027440292, 0.089874175405942656308, 1.0, 0.99029504419782001947,
+        0.96151887000144388821, 0.91467349077225437371, 0.85138267722204389049, 0.77382477585189397258,
+        0.68464293891021285808, 0.58683680478018244978, 0.48364048490743373286, 0.37839230098757506244,
+        0.27440204723167631211, 0.1748216127275352524, 0.082524587016485001622, 1.0, 0.99162858425603334449,
+        0.96676638530855214796, 0.92616051670990244874, 0.87102641569756015086, 0.8030044338320417405,
+        0.72410144978265952504, 0.63661977236758134308, 0.54307608733699464378, 0.44611357435113430028,
+        0.34841056627902406035, 0.25258923182997339511, 0.16112773088475869133, 0.076279121865848718807,
+        1.0, 0.99270519960720675966, 0.97101220923176290694, 0.93548928378863903321, 0.88706379305918377893,
+        0.82699334313268807427, 0.75682672864065697923, 0.67835603854706327336, 0.59356153372868036419,
+        0.50455115242710465282, 0.41349667156634403713, 0.32256865202152137416, 0.2338723209471597583,
+        0.14938649372796352414, 0.07090751425765762569, 1.0, 0.9935868511442057663, 0.97449535840443264512,
+        0.94316532074438211273, 0.90031631615710606956, 0.84692799250337193706, 0.78421330357653712202,
+        0.71358548794489029397, 0.63661977236758134308, 0.55501093506824800642, 0.47052798214592227321,
+        0.38496726931971451685, 0.30010543871903535652, 0.21765353555639587217, 0.13921362262920466359,
+        0.066239123409613717754
+    };
+    return table;
+}
+
+/* positive windows: weight of band l for width 1 ... 16 at (width-1) width/2 + l */
+PRT__STATIC const double *prt__window_positive(void) {
+    static const double table[136] = {
+        1.0, 1.0, 0.33333333333333333333, 1.0, 0.57735026918962576451, 0.2, 1.0, 0.68989794855663561964,
+        0.34494897427831780982, 0.093578717960240312883, 1.0, 0.77459666924148337704, 0.48571428571428571429,
+        0.22131333406899525058, 0.063492063492063492063, 1.0, 0.82282408097459210521, 0.57611430205408276365,
+        0.32616412509556891217, 0.14039292951996396188, 0.035680614305211888582, 1.0, 0.86113631159405257522,
+        0.65540766286107894359, 0.42838905754161649851, 0.23543778300977621503, 0.098351648648280926527,
+        0.026356494317880762619, 1.0, 0.88579160777096463561, 0.70924614273658511646, 0.50478388446010662338,
+        0.31542540151686073445, 0.16508996392378056997, 0.066989588507976113483, 0.016604824016209008501,
+        1.0, 0.9061798459386639928, 0.7561298816164829212, 0.5746945664799351087, 0.39586103728594092058,
+        0.2402739072003459132, 0.12456097908283001293, 0.049977780595316047141, 0.012976980055159098854,
+        1.0, 0.92038028589706251532, 0.78976232216844298264, 0.62742332427006856566, 0.46005819708814381817,
+        0.30622691080359980486, 0.18139073493923034635, 0.091352913885923727042, 0.036016972790941475148,
+        0.0088320853463888206389, 1.0, 0.93246951420315202781, 0.81930685450220939568, 0.67505293842206772367,
+        0.52101418341507956065, 0.37244297618895996577, 0.24399573979984582179, 0.14245248722649306337,
+        0.07160169429670985373, 0.028116584500175400155, 0.0071792426229772324729, 1.0, 0.94136714568043021606,
+        0.84145400056051045293, 0.71185600683306375858, 0.56966136160507929453, 0.42802621347728644223,
+        0.29970270433610036942, 0.19233495096893660368, 0.11061917856337013722, 0.054531127410892559144,
+        0.021161945486990115301, 0.0051646428677286943586, 1.0, 0.94910791234275852453, 0.86112816098028115886,
+        0.74512497236684605117, 0.61499496808419465795, 0.4815371410752342585, 0.35608782449306076629,
+        0.24580683319603685916, 0.15643398344906205522, 0.089271862773536158875, 0.044063997692037006526,
+        0.017086508211739221467, 0.0043206488087273198723, 1.0, 0.95504122712257500378, 0.87639589211471016209,
+        0.77146638909829611871, 0.65163304004515694892, 0.52614734042714737158, 0.40473450091614772793,
+        0.2943202429802143532, 0.20050199987317033717, 0.12586353092009634319, 0.071107606632923218413,
+        0.034603998348757134312, 0.013303235772430160729, 0.0032403007546311967842, 1.0, 0.96028985649753623168,
+        0.89010344728290644066, 0.79539525518773670114, 0.68559550155273914108, 0.5683764975602726757,
+        0.45223634690067764117, 0.34333987378308093884, 0.24730159263840422324, 0.16702497296140045597,
+        0.10437716082397107193, 0.058712309660426287951, 0.028650517849476793725, 0.011022980392886860412,
+        0.0027707461316773926296, 1.0, 0.96444016970527309637, 0.90103852466660929085, 0.81475660394443598235,
+        0.71346228281742165917, 0.60375346589007652363, 0.49292757111561328156, 0.38666863473687317316,
+        0.2901408729263988644, 0.20662479478518149205, 0.13829614113919610345, 0.08558327486297905011,
+        0.04779632775263624675, 0.023069022750020088503, 0.0088167389767978915657, 0.0021462774651431782107
+    };
+    return table;
+}
+
+/* END GENERATED */
+
+/* The sharpest non-negative kernel of degree width-1 as the product of two Legendre series with coefficients >= 0.
+   By Christoffel-Darboux at the root z*: degree 2k is a(z)^2 with a_i = (2i+1) P_i(z*); degree 2k+1 is a(z) b(z)
+   with a = P^(0,1)_k+1/(z-z*), a_i = (2i+1)(P_i + (-1)^(k-i) P_k+1)(z*), and b = (1+z) a, b_i = ((i+1)(P_i + P_i+1)
+   + i(P_i-1 + P_i))(z*); there P_k+1 + P_k+2 = 0 at z*. w[r] = (1/2)_r/r!. */
+typedef struct prt__kernel {
+    int a_count, b_count;
+    double a[PRT_MAX_BANDS / 2 + 2], b[PRT_MAX_BANDS / 2 + 2], w[PRT_MAX_BANDS + 1];
+} prt__kernel;
+
+/* P_0 ... P_count-1 at z = 1-h, by differences, so that they keep their accuracy near z = 1. */
+PRT__STATIC void prt__legendre_row(int count, double h, double *p) {
+    double step = 0;
+    int l;
+    p[0] = 1;
+    for (l = 0; l + 1 < count; l++) {
+        step = (l * step - (2 * l + 1) * h * p[l]) / (l + 1);
+        p[l + 1] = p[l] + step;
+    }
+}
+
+/* h = 1-z at the largest root of P_n, or of P_n + P_n+1 (`paired`); p: P_0 ... P_n+1 there. Newton from its
+   asymptote. */
+PRT__STATIC void prt__legendre_root(int n, int paired, double *p) {
+    double angle = 2.404825557695773 / (n + (paired ? 1 : 0.5)), sine = sin(angle / 2), h = 2 * sine * sine;
+    int step;
+    for (step = 0; step < 5; step++) {
+        double value, slope;
+        prt__legendre_row(n + 2, h, p);
+        value = paired ? p[n] + p[n + 1] : p[n];
+        slope = n * (p[n - 1] - (1 - h) * p[n]);                       /* (1-z^2) dP/dz */
+        if (paired) slope += (n + 1) * (p[n] - (1 - h) * p[n + 1]);
+        h += value / slope * h * (2 - h);
+    }
+    prt__legendre_row(n + 2, h, p);
+}
+
+PRT__STATIC void prt__positive_kernel(int width, prt__kernel *kernel) {
+    double p[PRT_MAX_BANDS / 2 + 3];
+    int k = (width - 1) / 2, paired = (width - 1) % 2, i;
+    prt__legendre_root(k + 1, paired, p);
+    kernel->a_count = k + 1;
+    kernel->b_count = k + 1 + paired;
+    for (i = 0; i <= k; i++) {
+        double end = paired ? ((k - i) % 2 ? -p[k + 1] : p[k + 1]) : 0;
+        kernel->a[i] = (2 * i + 1) * (p[i] + end);
+        kernel->b[i] = paired ? (i + 1) * (p[i] + p[i + 1]) + (i > 0 ? i * (p[i - 1] + p[i]) : 0) : kernel->a[i];
+    }
+    if (paired) kernel->b[k + 1] = (k + 1) * (p[k] + p[k + 1]);
+    kernel->w[0] = 1;
+    for (i = 1; i <= width; i++) kernel->w[i] = kernel->w[i - 1] * (2 * i - 1) / (2 * i);
+}
+
+/* Half the Legendre moment int a b P_l dz: a sum of positive terms, (1/2) int P_i P_j P_l dz =
+   w(s-i) w(s-j) w(s-l)/((2s+1) w(s)), s = (i+j+l)/2 [Adams 1878]. */
+PRT__STATIC double prt__kernel_moment(const prt__kernel *kernel, int l) {
+    const double *w = kernel->w;
+    double sum = 0;
+    int i, j;
+    for (i = 0; i < kernel->a_count; i++) {
+        double row = 0;
+        int last = i + l < kernel->b_count ? i + l : kernel->b_count - 1;
+        for (j = i > l ? i - l : l - i; j <= last; j += 2) {
+            int s = (i + j + l) / 2;
+            row += kernel->b[j] * w[s - i] * w[s - j] * w[s - l] / ((2 * s + 1) * w[s]);
+        }
+        sum += kernel->a[i] * row;
+    }
+    return sum;
+}
+
+/* The weights of bands 0 ... count-1; count <= width. */
+PRT__STATIC void prt__positive_weights(int width, int count, double *weight) {
+    prt__kernel kernel;
+    double mean;
+    int l;
+    prt__positive_kernel(width, &kernel);
+    mean = prt__kernel_moment(&kernel, 0);
+    for (l = 0; l < count; l++) weight[l] = prt__kernel_moment(&kernel, l) / mean;
+}
+
+/* cos^2 and sin of the smaller angle, from whichever end: the last weights keep their digits. */
+PRT__STATIC double prt__hann(int l, int width) {
+    double root = l < width - l ? cos(PRT__PI * l / (2.0 * width)) : sin(PRT__PI * (width - l) / (2.0 * width));
+    return root * root;
+}
+
+PRT__STATIC double prt__lanczos(int l, int width) {
+    int small = l < width - l ? l : width - l;
+    return l == 0 ? 1 : sin(PRT__PI * small / width) / (PRT__PI * l / width);
+}
+
+PRT__STATIC int prt__window_ok(prt_window w) { return (unsigned)w <= (unsigned)PRT_WINDOW_POSITIVE; }
+PRT__STATIC int prt__window_width_ok(prt_window w, int width) {
+    return width >= 1 && (w != PRT_WINDOW_POSITIVE || width <= PRT_MAX_BANDS);
+}
+
+enum { PRT__WINDOW_TABLES = 16 };                                      /* generated: weights to this width */
+
+/* The weights of a window that is tabulated, or NULL */
+PRT__STATIC const double *prt__window_row(prt_window w, int width) {
+    int first;
+    if (width > PRT__WINDOW_TABLES) return NULL;
+    first = width * (width - 1) / 2;
+    switch (w) {
+        case PRT_WINDOW_HANN:     return prt__window_hann() + first;
+        case PRT_WINDOW_LANCZOS:  return prt__window_lanczos() + first;
+        case PRT_WINDOW_POSITIVE: return prt__window_positive() + first;
+        case PRT_WINDOW_NONE: default: return NULL;
+    }
+}
+
+/* The weights of bands 0 ... bands-1. */
+PRT__STATIC void prt__window_weights(prt_window w, int width, int bands, double *weight) {
+    int l, kept = bands < width ? bands : width;
+    const double *row = prt__window_row(w, width);
+    if (row) for (l = 0; l < kept; l++) weight[l] = row[l];
+    else if (w == PRT_WINDOW_POSITIVE) prt__positive_weights(width, kept, weight);
+    else
+        for (l = 0; l < kept; l++)
+            weight[l] = w == PRT_WINDOW_HANN ? prt__hann(l, width) :
+                        w == PRT_WINDOW_LANCZOS ? prt__lanczos(l, width) : 1;
+    for (l = kept; l < bands; l++) weight[l] = 0;
 }
 
 #ifdef __cplusplus
@@ -1825,7 +2125,7 @@ static const prt__basis prt__sh_basis = {
 };
 
 PRT__INLINE void prt__eval(const prt__basis *basis, int bands, prt_vec3 d, prt_real *y) {
-    if (bands <= PRT__SH_KERNELS) basis->kernels[bands - 1](d.x, d.y, d.z, y);
+    if (!prt__above(bands, PRT__SH_KERNELS)) basis->kernels[bands - 1](d.x, d.y, d.z, y);
     else basis->recurrence(bands, d, NULL, y, 1);
 }
 
@@ -1871,7 +2171,8 @@ PRT__STATIC void prt__eval_rows(const prt__basis *basis, int bands, int items, c
 
 PRT__STATIC prt_result prt__eval_n(const prt__basis *basis, int bands, int count, const prt_vec3 *dirs, prt_real *y) {
     size_t n;
-    int k, step = PRT__LANES > 1 && bands <= PRT__SH_KERNELS ? PRT__SH_BLOCK_ITEMS : 1;        /* else one by one is faster */
+    int k;                                              /* above the kernels' bands one by one is faster */
+    const int step = PRT__LANES > 1 && !prt__above(bands, PRT__SH_KERNELS) ? PRT__SH_BLOCK_ITEMS : 1;
     if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
     if (count < 0) return PRT_ERR_COUNT;
     if (count == 0) return PRT_OK;
@@ -1898,7 +2199,7 @@ PRT__STATIC void prt__eval_soa_block(const prt__basis *basis, int bands, const p
         int from = k < items ? k : 0;
         b.x[k] = x[from]; b.y[k] = y[from]; b.z[k] = z[from];
     }
-    if (bands > PRT__SH_KERNELS) { prt__recurrence_v(basis->far_step, bands, factors, &b); return; }
+    if (prt__above(bands, PRT__SH_KERNELS)) { prt__recurrence_v(basis->far_step, bands, factors, &b); return; }
     basis->kernels_v[bands - 1]((items + PRT__LANES - 1) / PRT__LANES, b.x, b.y, b.z, columns, PRT__SH_BLOCK_ITEMS);
     for (i = 0; i < PRT_SH_COUNT(bands); i++)
         memcpy(out + (size_t)i * stride, columns + i * PRT__SH_BLOCK_ITEMS, (size_t)items * sizeof *out);
@@ -1918,13 +2219,13 @@ PRT__STATIC prt_result prt__eval_soa(const prt__basis *basis, int bands, int cou
         for (; k < count; k++) basis->recurrence(bands, prt__vec3(x[k], y[k], z[k]), NULL, out + k, stride);
         return PRT_OK;
     }
-    if (bands <= PRT__SH_KERNELS)
+    if (!prt__above(bands, PRT__SH_KERNELS))
         while (count - k >= PRT__LANES) {
             int vectors = (count - k < PRT__SH_CHUNK ? count - k : PRT__SH_CHUNK) / PRT__LANES;
             basis->kernels_v[bands - 1](vectors, x + k, y + k, z + k, out + k, stride);
             k += vectors * PRT__LANES;
         }
-    if (bands > PRT__SH_KERNELS) basis->make_factors(bands, &factors);
+    if (prt__above(bands, PRT__SH_KERNELS)) basis->make_factors(bands, &factors);
     for (; k < count; k += PRT__SH_BLOCK_ITEMS)
         prt__eval_soa_block(basis, bands, &factors, count - k < PRT__SH_BLOCK_ITEMS ? count - k : PRT__SH_BLOCK_ITEMS,
                             x + k, y + k, z + k, out + k, stride);
@@ -1947,37 +2248,6 @@ PRTDEF prt_result prt_sh_eval_n(int bands, int count, const prt_vec3 *dirs, prt_
 PRTDEF prt_result prt_sh_eval_soa(int bands, int count, const prt_real *x, const prt_real *y, const prt_real *z,
                                   prt_real *out, size_t stride) {
     return prt__eval_soa(&prt__sh_basis, bands, count, x, y, z, out, stride);
-}
-
-/* Eight partial sums: a single one would wait for each addition. Which term goes to which sum is fixed, and so are the
-   bits, whatever the width of the machine. */
-#if PRT__SIMD && PRT__LANES >= 8                                /* narrower registers: gcc spills vectors wider than they */
-typedef prt_real prt__oct __attribute__((vector_size(8 * sizeof(prt_real))));
-PRT__INLINE void prt__oct_madd(prt__oct *sum, const prt_real *f, const prt_real *g) {
-    prt__oct a, b;
-    memcpy(&a, f, sizeof a);
-    memcpy(&b, g, sizeof b);
-    *sum += a * b;
-}
-#elif PRT__SIMD
-typedef struct prt__oct { prt__vec part[8 / PRT__LANES]; } prt__oct;
-PRT__INLINE void prt__oct_madd(prt__oct *sum, const prt_real *f, const prt_real *g) {
-    int k;
-    PRT__UNROLL
-    for (k = 0; k < 8 / PRT__LANES; k++)
-        sum->part[k] += prt__vec_load(f + k * PRT__LANES) * prt__vec_load(g + k * PRT__LANES);
-}
-#else
-typedef struct prt__oct { prt_real lane[8]; } prt__oct;
-PRT__INLINE void prt__oct_madd(prt__oct *sum, const prt_real *f, const prt_real *g) {
-    int k;
-    for (k = 0; k < 8; k++) sum->lane[k] += f[k] * g[k];
-}
-#endif
-PRT__INLINE prt_real prt__oct_sum(const prt__oct *sum) {
-    prt_real s[8];
-    memcpy(s, sum, sizeof s);
-    return ((s[0] + s[4]) + (s[2] + s[6])) + ((s[1] + s[5]) + (s[3] + s[7]));
 }
 
 /* Three of them at once, bit-equal */
@@ -2014,7 +2284,7 @@ PRT__STATIC prt_real prt__dot(int count, const prt_real *f, const prt_real *g) {
 PRT__INLINE prt_real prt__at(const prt__basis *basis, int bands, const prt_real *f, prt_vec3 dir) {
     prt_real sum;
     if (!prt__bands_ok(bands) || !f) return 0;
-    if (bands > PRT__SH_KERNELS) return basis->recurrence(bands, dir, f, NULL, 1);
+    if (prt__above(bands, PRT__SH_KERNELS)) return basis->recurrence(bands, dir, f, NULL, 1);
     basis->kernels_at[bands - 1](f, dir.x, dir.y, dir.z, &sum);
     return sum;
 }
@@ -2804,131 +3074,6 @@ PRTDEF prt_result prt_sh_convert_axes(int bands, const char *from, const char *t
 
 /* ------------------------------------------------------------------------------------------------ >>window ---- */
 
-/* The sharpest non-negative kernel of degree width-1 as the product of two Legendre series with coefficients >= 0.
-   By Christoffel-Darboux at the root z*: degree 2k is a(z)^2 with a_i = (2i+1) P_i(z*); degree 2k+1 is a(z) b(z)
-   with a = P^(0,1)_k+1/(z-z*), a_i = (2i+1)(P_i + (-1)^(k-i) P_k+1)(z*), and b = (1+z) a, b_i = ((i+1)(P_i + P_i+1)
-   + i(P_i-1 + P_i))(z*); there P_k+1 + P_k+2 = 0 at z*. w[r] = (1/2)_r/r!. */
-typedef struct prt__kernel {
-    int a_count, b_count;
-    double a[PRT_MAX_BANDS / 2 + 2], b[PRT_MAX_BANDS / 2 + 2], w[PRT_MAX_BANDS + 1];
-} prt__kernel;
-
-/* P_0 ... P_count-1 at z = 1-h, by differences, so that they keep their accuracy near z = 1. */
-PRT__STATIC void prt__legendre_row(int count, double h, double *p) {
-    double step = 0;
-    int l;
-    p[0] = 1;
-    for (l = 0; l + 1 < count; l++) {
-        step = (l * step - (2 * l + 1) * h * p[l]) / (l + 1);
-        p[l + 1] = p[l] + step;
-    }
-}
-
-/* h = 1-z at the largest root of P_n, or of P_n + P_n+1 (`paired`); p: P_0 ... P_n+1 there. Newton from its
-   asymptote. */
-PRT__STATIC void prt__legendre_root(int n, int paired, double *p) {
-    double angle = 2.404825557695773 / (n + (paired ? 1 : 0.5)), sine = sin(angle / 2), h = 2 * sine * sine;
-    int step;
-    for (step = 0; step < 5; step++) {
-        double value, slope;
-        prt__legendre_row(n + 2, h, p);
-        value = paired ? p[n] + p[n + 1] : p[n];
-        slope = n * (p[n - 1] - (1 - h) * p[n]);                       /* (1-z^2) dP/dz */
-        if (paired) slope += (n + 1) * (p[n] - (1 - h) * p[n + 1]);
-        h += value / slope * h * (2 - h);
-    }
-    prt__legendre_row(n + 2, h, p);
-}
-
-PRT__STATIC void prt__positive_kernel(int width, prt__kernel *kernel) {
-    double p[PRT_MAX_BANDS / 2 + 3];
-    int k = (width - 1) / 2, paired = (width - 1) % 2, i;
-    prt__legendre_root(k + 1, paired, p);
-    kernel->a_count = k + 1;
-    kernel->b_count = k + 1 + paired;
-    for (i = 0; i <= k; i++) {
-        double end = paired ? ((k - i) % 2 ? -p[k + 1] : p[k + 1]) : 0;
-        kernel->a[i] = (2 * i + 1) * (p[i] + end);
-        kernel->b[i] = paired ? (i + 1) * (p[i] + p[i + 1]) + (i > 0 ? i * (p[i - 1] + p[i]) : 0) : kernel->a[i];
-    }
-    if (paired) kernel->b[k + 1] = (k + 1) * (p[k] + p[k + 1]);
-    kernel->w[0] = 1;
-    for (i = 1; i <= width; i++) kernel->w[i] = kernel->w[i - 1] * (2 * i - 1) / (2 * i);
-}
-
-/* Half the Legendre moment int a b P_l dz: a sum of positive terms, (1/2) int P_i P_j P_l dz =
-   w(s-i) w(s-j) w(s-l)/((2s+1) w(s)), s = (i+j+l)/2 [Adams 1878]. */
-PRT__STATIC double prt__kernel_moment(const prt__kernel *kernel, int l) {
-    const double *w = kernel->w;
-    double sum = 0;
-    int i, j;
-    for (i = 0; i < kernel->a_count; i++) {
-        double row = 0;
-        int last = i + l < kernel->b_count ? i + l : kernel->b_count - 1;
-        for (j = i > l ? i - l : l - i; j <= last; j += 2) {
-            int s = (i + j + l) / 2;
-            row += kernel->b[j] * w[s - i] * w[s - j] * w[s - l] / ((2 * s + 1) * w[s]);
-        }
-        sum += kernel->a[i] * row;
-    }
-    return sum;
-}
-
-/* The weights of bands 0 ... count-1; count <= width. */
-PRT__STATIC void prt__positive_weights(int width, int count, double *weight) {
-    prt__kernel kernel;
-    double mean;
-    int l;
-    prt__positive_kernel(width, &kernel);
-    mean = prt__kernel_moment(&kernel, 0);
-    for (l = 0; l < count; l++) weight[l] = prt__kernel_moment(&kernel, l) / mean;
-}
-
-/* cos^2 and sin of the smaller angle, from whichever end: the last weights keep their digits. */
-PRT__STATIC double prt__hann(int l, int width) {
-    double root = l < width - l ? cos(PRT__PI * l / (2.0 * width)) : sin(PRT__PI * (width - l) / (2.0 * width));
-    return root * root;
-}
-
-PRT__STATIC double prt__lanczos(int l, int width) {
-    int small = l < width - l ? l : width - l;
-    return l == 0 ? 1 : sin(PRT__PI * small / width) / (PRT__PI * l / width);
-}
-
-PRT__STATIC int prt__window_ok(prt_window w) { return (unsigned)w <= (unsigned)PRT_WINDOW_POSITIVE; }
-PRT__STATIC int prt__window_width_ok(prt_window w, int width) {
-    return width >= 1 && (w != PRT_WINDOW_POSITIVE || width <= PRT_MAX_BANDS);
-}
-
-enum { PRT__WINDOW_TABLES = 16 };                                      /* generated: weights to this width */
-static const double *prt__window_hann(void), *prt__window_lanczos(void), *prt__window_positive(void);
-
-/* The weights of a window that is tabulated, or NULL */
-PRT__STATIC const double *prt__window_row(prt_window w, int width) {
-    int first;
-    if (width > PRT__WINDOW_TABLES) return NULL;
-    first = width * (width - 1) / 2;
-    switch (w) {
-        case PRT_WINDOW_HANN:     return prt__window_hann() + first;
-        case PRT_WINDOW_LANCZOS:  return prt__window_lanczos() + first;
-        case PRT_WINDOW_POSITIVE: return prt__window_positive() + first;
-        case PRT_WINDOW_NONE: default: return NULL;
-    }
-}
-
-/* The weights of bands 0 ... bands-1. */
-PRT__STATIC void prt__window_weights(prt_window w, int width, int bands, double *weight) {
-    int l, kept = bands < width ? bands : width;
-    const double *row = prt__window_row(w, width);
-    if (row) for (l = 0; l < kept; l++) weight[l] = row[l];
-    else if (w == PRT_WINDOW_POSITIVE) prt__positive_weights(width, kept, weight);
-    else
-        for (l = 0; l < kept; l++)
-            weight[l] = w == PRT_WINDOW_HANN ? prt__hann(l, width) :
-                        w == PRT_WINDOW_LANCZOS ? prt__lanczos(l, width) : 1;
-    for (l = kept; l < bands; l++) weight[l] = 0;
-}
-
 PRTDEF prt_real prt_window_weight(prt_window w, int l, int width) {
     prt__kernel kernel;
     const double *row;
@@ -3135,19 +3280,6 @@ PRTDEF prt_result prt_sh_dering(int bands, const prt_real *f, prt_real *out, prt
 }
 
 /* ------------------------------------------------------------------------------------------------ >>rotate ---- */
-
-/* |R R^T - 1| <= 1e-3 in every entry; an entry that is not finite fails. */
-PRT__STATIC int prt__rotation_ok(const prt_real *r) {
-    const prt_real tolerance = PRT__R(1e-3);
-    prt_real xx = r[0] * r[0] + r[1] * r[1] + r[2] * r[2] - 1, xy = r[0] * r[3] + r[1] * r[4] + r[2] * r[5];
-    prt_real yy = r[3] * r[3] + r[4] * r[4] + r[5] * r[5] - 1, yz = r[3] * r[6] + r[4] * r[7] + r[5] * r[8];
-    prt_real zz = r[6] * r[6] + r[7] * r[7] + r[8] * r[8] - 1, zx = r[6] * r[0] + r[7] * r[1] + r[8] * r[2];
-    int i;
-    for (i = 0; i < 9; i++)
-        if (!prt__finite(r[i])) return 0;
-    return prt__abs(xx) <= tolerance && prt__abs(yy) <= tolerance && prt__abs(zz) <= tolerance
-        && prt__abs(xy) <= tolerance && prt__abs(yz) <= tolerance && prt__abs(zx) <= tolerance;
-}
 
 PRTDEF prt_result prt_rotation_from_quaternion(const prt_real q[4], prt_real rotation[9]) {
 #ifdef PRT_DOUBLE
@@ -5176,7 +5308,7 @@ PRT__INLINE void prt__columns_product(int bands, int whole, const prt_real *f, c
 }
 
 PRT__STATIC void prt__grid_product(int bands, const prt_real *f, const prt_real *g, prt_real *out) {
-    if (bands > PRT__GRID_TABLES) prt__ladder_product(bands, f, g, out);
+    if (prt__above(bands, PRT__GRID_TABLES)) prt__ladder_product(bands, f, g, out);
     else if (2 * prt__node_pairs(bands) <= PRT__LANES) prt__columns_product(bands, 1, f, g, out);
     else prt__columns_product(bands, 0, f, g, out);
 }
@@ -5554,7 +5686,7 @@ PRTDEF prt_result prt_sh_product_soa(int bands, int count, const prt_real *f, co
     if (count < 0 || stride < (size_t)count) return PRT_ERR_COUNT;
     if (count == 0) return PRT_OK;
     if (!f || !g || !out) return PRT_ERR_NULL;
-    if (bands <= PRT__GRID_TABLES) prt__product_batch(bands, count, f, g, out, stride);
+    if (!prt__above(bands, PRT__GRID_TABLES)) prt__product_batch(bands, count, f, g, out, stride);
     else prt__product_each(bands, count, f, g, out, stride);
     return PRT_OK;
 }
@@ -5564,7 +5696,7 @@ PRTDEF prt_result prt_sh_product_zonal(int bands, const prt_real *f, const prt_r
     prt_real sum[PRT_SH_COUNT(PRT_MAX_BANDS)];
     if (!prt__bands_ok(bands)) return PRT_ERR_BANDS;
     if (!f || !zonal || !out) return PRT_ERR_NULL;
-    if (bands > PRT__GRID_TABLES) prt__ladder_zonal(bands, f, zonal, sum);
+    if (prt__above(bands, PRT__GRID_TABLES)) prt__ladder_zonal(bands, f, zonal, sum);
     else prt__columns_zonal(bands, f, zonal, sum);
     memcpy(out, sum, sizeof(prt_real) * (size_t)PRT_SH_COUNT(bands));
     return PRT_OK;
@@ -6295,22 +6427,6 @@ PRTDEF prt_result prt_phong_zonal(int bands, prt_real exponent, prt_real *zonal)
         zonal[l] = (prt_real)(sqrt((2 * l + 1) / (4 * PRT__PI)) * moment[l % 2]);
     }
     return PRT_OK;
-}
-
-typedef struct prt__frame { double t[3], b[3], n[3]; } prt__frame;
-
-/* A right-handed orthonormal frame about the normal, [Duff 2017]; the normal is normalised first. */
-PRT__STATIC prt__frame prt__frame_about(prt_vec3 normal) {
-    prt__frame f;
-    double x = (double)normal.x, y = (double)normal.y, z = (double)normal.z, s = 1 / sqrt(x * x + y * y + z * z);
-    double sign = z < 0 ? -1.0 : 1.0, a, b;
-    x *= s; y *= s; z *= s;
-    a = -1 / (sign + z);
-    b = x * y * a;
-    f.n[0] = x; f.n[1] = y; f.n[2] = z;
-    f.t[0] = 1 + sign * x * x * a; f.t[1] = sign * b; f.t[2] = -sign * x;
-    f.b[0] = b; f.b[1] = sign + y * y * a; f.b[2] = -y;
-    return f;
 }
 
 PRTDEF prt_result prt_local_frame(prt_vec3 normal, prt_real rotation[9]) {
@@ -14504,118 +14620,6 @@ PRT__STATIC void prt__ch_at_10(const prt_real *f, prt_real x, prt_real y, prt_re
 
 /* END GENERATED */
 #endif /* PRT_NO_CH */
-
-/* BEGIN GENERATED: prt_codegen --table windows --count 16 */
-/* hann windows: weight of band l for width 1 ... 16 at (width-1) width/2 + l */
-PRT__STATIC const double *prt__window_hann(void) {
-    static const double table[136] = {
-        1.0, 1.0, 0.5, 1.0, 0.75, 0.25, 1.0, 0.8535533905932737622, 0.5, 0.1464466094067262378,
-        1.0, 0.90450849718747371205, 0.65450849718747371205, 0.34549150281252628795, 0.095491502812526287949,
-        1.0, 0.93301270189221932338, 0.75, 0.5, 0.25, 0.066987298107780676618, 1.0, 0.95048443395120956312,
-        0.81174490092936676526, 0.61126046697815720214, 0.38873953302184279786, 0.18825509907063323474,
-        0.049515566048790436882, 1.0, 0.96193976625564337806, 0.8535533905932737622, 0.69134171618254488586,
-        0.5, 0.30865828381745511414, 0.1464466094067262378, 0.038060233744356621936, 1.0, 0.96984631039295419203,
-        0.8830222215594890176, 0.75, 0.58682408883346517443, 0.41317591116653482557, 0.25, 0.1169777784405109824,
-        0.030153689607045807973, 1.0, 0.97552825814757678606, 0.90450849718747371205, 0.79389262614623656458,
-        0.65450849718747371205, 0.5, 0.34549150281252628795, 0.20610737385376343542, 0.095491502812526287949,
-        0.024471741852423213942, 1.0, 0.97974648680724869495, 0.92062676641559058443, 0.82743036697264253203,
-        0.70770750650094321276, 0.57115741913664257022, 0.42884258086335742978, 0.29229249349905678724,
-        0.17256963302735746797, 0.079373233584409415569, 0.020253513192751305055, 1.0, 0.98296291314453414337,
-        0.93301270189221932338, 0.8535533905932737622, 0.75, 0.62940952255126038117, 0.5, 0.37059047744873961883,
-        0.25, 0.1464466094067262378, 0.066987298107780676618, 0.017037086855465856625, 1.0, 0.98547090871302601358,
-        0.94272801282660494795, 0.87425537408555054932, 0.78403237336557790126, 0.67730244352126781298,
-        0.56026834012766152667, 0.43973165987233847333, 0.32269755647873218702, 0.21596762663442209874,
-        0.12574462591444945068, 0.05727198717339505205, 0.014529091286973986422, 1.0, 0.98746395609091180351,
-        0.95048443395120956312, 0.89091574123401490435, 0.81174490092936676526, 0.71694186955877906024,
-        0.61126046697815720214, 0.5, 0.38873953302184279786, 0.28305813044122093976, 0.18825509907063323474,
-        0.10908425876598509565, 0.049515566048790436882, 0.012536043909088196491, 1.0, 0.98907380036690281896,
-        0.95677272882130044775, 0.90450849718747371205, 0.83456530317942910691, 0.75, 0.65450849718747371205,
-        0.5522642316338267357, 0.4477357683661732643, 0.34549150281252628795, 0.25, 0.16543469682057089309,
-        0.095491502812526287949, 0.043227271178699552249, 0.010926199633097181036, 1.0, 0.99039264020161522456,
-        0.96193976625564337806, 0.91573480615127261854, 0.8535533905932737622, 0.77778511650980111237,
-        0.69134171618254488586, 0.59754516100806413392, 0.5, 0.40245483899193586608, 0.30865828381745511414,
-        0.22221488349019888763, 0.1464466094067262378, 0.084265193848727381461, 0.038060233744356621936,
-        0.0096073597983847754369
-    };
-    return table;
-}
-
-/* lanczos windows: weight of band l for width 1 ... 16 at (width-1) width/2 + l */
-PRT__STATIC const double *prt__window_lanczos(void) {
-    static const double table[136] = {
-        1.0, 1.0, 0.63661977236758134308, 1.0, 0.82699334313268807427, 0.41349667156634403713,
-        1.0, 0.90031631615710606956, 0.63661977236758134308, 0.30010543871903535652, 1.0, 0.93548928378863903321,
-        0.75682672864065697923, 0.50455115242710465282, 0.2338723209471597583, 1.0, 0.95492965855137201461,
-        0.82699334313268807427, 0.63661977236758134308, 0.41349667156634403713, 0.19098593171027440292,
-        1.0, 0.96676638530855214796, 0.87102641569756015086, 0.72410144978265952504, 0.54307608733699464378,
-        0.34841056627902406035, 0.16112773088475869133, 1.0, 0.97449535840443264512, 0.90031631615710606956,
-        0.78421330357653712202, 0.63661977236758134308, 0.47052798214592227321, 0.30010543871903535652,
-        0.13921362262920466359, 1.0, 0.97981553605101648399, 0.92072542895852937812, 0.82699334313268807427,
-        0.70531659849201881006, 0.56425327879361504804, 0.41349667156634403713, 0.2630644082738655366,
-        0.1224769420063770605, 1.0, 0.98363164308346596735, 0.93548928378863903321, 0.85839369133413977501,
-        0.75682672864065697923, 0.63661977236758134308, 0.50455115242710465282, 0.36788301057177418929,
-        0.2338723209471597583, 0.10929240478705177415, 1.0, 0.98646083912710205269, 0.94650224388831548428,
-        0.88206272365255806559, 0.79624835650368565609, 0.69315389111626959647, 0.57762824259689133039,
-        0.45499906085924894633, 0.3307735213697092746, 0.21033383197518121873, 0.098646083912710205269,
-        1.0, 0.98861592946536921938, 0.95492965855137201461, 0.90031631615710606956, 0.82699334313268807427,
-        0.73791297558733748561, 0.63661977236758134308, 0.52708069684809820401, 0.41349667156634403713,
-        0.30010543871903535652, 0.19098593171027440292, 0.089874175405942656308, 1.0, 0.99029504419782001947,
-        0.96151887000144388821, 0.91467349077225437371, 0.85138267722204389049, 0.77382477585189397258,
-        0.68464293891021285808, 0.58683680478018244978, 0.48364048490743373286, 0.37839230098757506244,
-        0.27440204723167631211, 0.1748216127275352524, 0.082524587016485001622, 1.0, 0.99162858425603334449,
-        0.96676638530855214796, 0.92616051670990244874, 0.87102641569756015086, 0.8030044338320417405,
-        0.72410144978265952504, 0.63661977236758134308, 0.54307608733699464378, 0.44611357435113430028,
-        0.34841056627902406035, 0.25258923182997339511, 0.16112773088475869133, 0.076279121865848718807,
-        1.0, 0.99270519960720675966, 0.97101220923176290694, 0.93548928378863903321, 0.88706379305918377893,
-        0.82699334313268807427, 0.75682672864065697923, 0.67835603854706327336, 0.59356153372868036419,
-        0.50455115242710465282, 0.41349667156634403713, 0.32256865202152137416, 0.2338723209471597583,
-        0.14938649372796352414, 0.07090751425765762569, 1.0, 0.9935868511442057663, 0.97449535840443264512,
-        0.94316532074438211273, 0.90031631615710606956, 0.84692799250337193706, 0.78421330357653712202,
-        0.71358548794489029397, 0.63661977236758134308, 0.55501093506824800642, 0.47052798214592227321,
-        0.38496726931971451685, 0.30010543871903535652, 0.21765353555639587217, 0.13921362262920466359,
-        0.066239123409613717754
-    };
-    return table;
-}
-
-/* positive windows: weight of band l for width 1 ... 16 at (width-1) width/2 + l */
-PRT__STATIC const double *prt__window_positive(void) {
-    static const double table[136] = {
-        1.0, 1.0, 0.33333333333333333333, 1.0, 0.57735026918962576451, 0.2, 1.0, 0.68989794855663561964,
-        0.34494897427831780982, 0.093578717960240312883, 1.0, 0.77459666924148337704, 0.48571428571428571429,
-        0.22131333406899525058, 0.063492063492063492063, 1.0, 0.82282408097459210521, 0.57611430205408276365,
-        0.32616412509556891217, 0.14039292951996396188, 0.035680614305211888582, 1.0, 0.86113631159405257522,
-        0.65540766286107894359, 0.42838905754161649851, 0.23543778300977621503, 0.098351648648280926527,
-        0.026356494317880762619, 1.0, 0.88579160777096463561, 0.70924614273658511646, 0.50478388446010662338,
-        0.31542540151686073445, 0.16508996392378056997, 0.066989588507976113483, 0.016604824016209008501,
-        1.0, 0.9061798459386639928, 0.7561298816164829212, 0.5746945664799351087, 0.39586103728594092058,
-        0.2402739072003459132, 0.12456097908283001293, 0.049977780595316047141, 0.012976980055159098854,
-        1.0, 0.92038028589706251532, 0.78976232216844298264, 0.62742332427006856566, 0.46005819708814381817,
-        0.30622691080359980486, 0.18139073493923034635, 0.091352913885923727042, 0.036016972790941475148,
-        0.0088320853463888206389, 1.0, 0.93246951420315202781, 0.81930685450220939568, 0.67505293842206772367,
-        0.52101418341507956065, 0.37244297618895996577, 0.24399573979984582179, 0.14245248722649306337,
-        0.07160169429670985373, 0.028116584500175400155, 0.0071792426229772324729, 1.0, 0.94136714568043021606,
-        0.84145400056051045293, 0.71185600683306375858, 0.56966136160507929453, 0.42802621347728644223,
-        0.29970270433610036942, 0.19233495096893660368, 0.11061917856337013722, 0.054531127410892559144,
-        0.021161945486990115301, 0.0051646428677286943586, 1.0, 0.94910791234275852453, 0.86112816098028115886,
-        0.74512497236684605117, 0.61499496808419465795, 0.4815371410752342585, 0.35608782449306076629,
-        0.24580683319603685916, 0.15643398344906205522, 0.089271862773536158875, 0.044063997692037006526,
-        0.017086508211739221467, 0.0043206488087273198723, 1.0, 0.95504122712257500378, 0.87639589211471016209,
-        0.77146638909829611871, 0.65163304004515694892, 0.52614734042714737158, 0.40473450091614772793,
-        0.2943202429802143532, 0.20050199987317033717, 0.12586353092009634319, 0.071107606632923218413,
-        0.034603998348757134312, 0.013303235772430160729, 0.0032403007546311967842, 1.0, 0.96028985649753623168,
-        0.89010344728290644066, 0.79539525518773670114, 0.68559550155273914108, 0.5683764975602726757,
-        0.45223634690067764117, 0.34333987378308093884, 0.24730159263840422324, 0.16702497296140045597,
-        0.10437716082397107193, 0.058712309660426287951, 0.028650517849476793725, 0.011022980392886860412,
-        0.0027707461316773926296, 1.0, 0.96444016970527309637, 0.90103852466660929085, 0.81475660394443598235,
-        0.71346228281742165917, 0.60375346589007652363, 0.49292757111561328156, 0.38666863473687317316,
-        0.2901408729263988644, 0.20662479478518149205, 0.13829614113919610345, 0.08558327486297905011,
-        0.04779632775263624675, 0.023069022750020088503, 0.0088167389767978915657, 0.0021462774651431782107
-    };
-    return table;
-}
-
-/* END GENERATED */
 
 /* BEGIN GENERATED: prt_codegen --table grids --count 16 */
 /* nodes of the product grids, z >= 0 */

@@ -16,7 +16,7 @@
 
    PIPELINE, the calls in order
      1. prt_points_from_vertices   a mesh's vertices become bake points: a position and a unit normal each
-     2. prt_bake_desc              zero-initialise, then set what you do not want at its default
+     2. prt_bake_desc              zero-initialise (= { 0 }; C++ = {}), then set what you do not want at its default
      3. prt_bake_transfer          rays in, transfer out: points[k] -> transfer[k][bands^2]; any part of the points at a
                                    time, in any thread, process or machine, with the same bits
      4. prt_bake_error             of two bakes with different seeds: their mean, and its standard error at each point
@@ -706,8 +706,11 @@ PRTDEF prt_result prt_measure_occluders(int max_occluders, int point_count, cons
 #if defined(PRT_BAKE_IMPLEMENTATION) && !defined(PRT_BAKE_IMPLEMENTATION_INCLUDED)
 #define PRT_BAKE_IMPLEMENTATION_INCLUDED
 
+#if defined(PRT_STATIC) && !defined(PRT_IMPLEMENTATION)
+#  error "prt_bake.h: with PRT_STATIC define PRT_IMPLEMENTATION too, in each file that bakes"
+#endif
+
 #include "prt.h"                       /* again: its internals, where both headers were included before without any */
-#include "prt.h"                              /* once more: its private part, had it been included without any */
 #include <float.h>
 #include <limits.h>
 #include <math.h>
@@ -1947,7 +1950,7 @@ PRT__STATIC int prt__brdf_answer(int bands, int samples, int index, prt_brdf *f,
             prt_vec3 w = prt__vec3(x[k], y[k], z[k]);
             prt_real value = f(user, w, v);
             if (!prt__finite(value)) return -1;
-            prt__sh_eval(bands, w, row);
+            prt_sh_eval(bands, w, row);
             for (j = 0; j < n; j++) answer[j] += PRT__PI / samples * (double)value * (double)row[j];
         }
     }
@@ -1968,7 +1971,7 @@ PRT__STATIC prt_result prt__brdf_sum(int bands_in, int bands_out, int samples, p
         if (lane == 0) prt__lattice_block(&lattice, &steps, &frame, 1, k, PRT__BLOCK, x, y, z);
         v = prt__vec3(x[lane], y[lane], z[lane]);
         if (prt__brdf_answer(bands_in, samples, k, f, user, v, answer)) return PRT_ERR_VALUE;
-        prt__sh_eval(bands_out, v, row);
+        prt_sh_eval(bands_out, v, row);
         for (i = 0; i < out; i++)
             for (j = 0; j < in; j++)
                 sum[(size_t)i * (size_t)in + (size_t)j] += 2 * PRT__PI / samples * (double)row[i] * answer[j];

@@ -18,6 +18,17 @@ check "two files, one implementation: C and C" two_files gcc gcc
 check "two files, one implementation: C++ and C++" two_files g++ g++
 check "two files, one implementation: C++ implements, C uses" two_files g++ gcc
 check "two files, one implementation: C implements, C++ uses" two_files gcc g++
+two_implementations() {   # each header implemented in a file of its own, used by a third; what each defines is its own
+    local cc=$1 x; x=$(language "$1")
+    printf '#define PRT_IMPLEMENTATION\n#include "prt.h"\n' >run_time.c
+    printf '#define PRT_BAKE_IMPLEMENTATION\n#include "prt_bake.h"\n' >baker.c
+    sed '/IMPLEMENTATION/d' "$work/bake_example.c" >user.c
+    for file in run_time baker user; do build "$cc" -O0 -x "$x" -c $file.c -o $file.o || return; done
+    $cc run_time.o baker.o user.o -o two -lm && [ "$(./two)" = "under the ball 0.75, beside it 0.96" ]
+}
+awk '/^   A COMPLETE EXAMPLE/ { inside = 1; next } /^   [A-Z]/ { inside = 0 } inside' "$root/prt_bake.h" >bake_example.c
+check "each header implemented in its own file: C" two_implementations gcc
+check "each header implemented in its own file: C++" two_implementations "g++ -Wno-missing-field-initializers"
 both_precisions() {
     local cc=$1 x; x=$(language "$1")
     build "$cc" -x "$x" -c "$here/units.c" -o f.o -DPRT_STATIC -DUNIT_NAMES_PRECISION &&
@@ -41,6 +52,15 @@ for bands in 1 2; do        # fewer coefficients than a vector has lanes
     check "PRT_MAX_BANDS=$bands, optimised" limits -DPRT_MAX_BANDS=$bands -O2
 done
 
+check "PRT_MAX_BANDS=5, optimised little" limits -DPRT_MAX_BANDS=5 -O1
+refused() {   # MESSAGE compiler flags: the first complaint is this one
+    local message=$1; shift
+    [[ $(gcc -std=c99 -fsyntax-only -I"$root" -x c "$@" baker.c 2>&1 | grep -m1 error) == *"$message"* ]]
+}
+for bands in 0 -1 1025 many; do
+    check "PRT_MAX_BANDS=$bands is refused" refused "PRT_MAX_BANDS must be" -DPRT_MAX_BANDS=$bands
+done
+check "PRT_STATIC without PRT_IMPLEMENTATION is refused" refused "define PRT_IMPLEMENTATION too" -DPRT_STATIC
 check "PRT_NO_CH" limits -DPRT_NO_CH -O2
 check "PRT_NO_CH, double, static" limits -DPRT_NO_CH -DPRT_DOUBLE -DPRT_STATIC
 

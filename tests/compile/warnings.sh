@@ -25,6 +25,8 @@ form[prt]='#define PRT_IMPLEMENTATION
 form[bake]='#define PRT_IMPLEMENTATION
 #define PRT_BAKE_IMPLEMENTATION
 #include "prt_bake.h"'
+form[bake_alone]='#define PRT_BAKE_IMPLEMENTATION
+#include "prt_bake.h"'
 form[prt_then_bake]='#define PRT_IMPLEMENTATION
 #define PRT_BAKE_IMPLEMENTATION
 #include "prt.h"
@@ -52,7 +54,7 @@ plan() {
             for form in $names; do
                 syntax $form "" ""
                 # PRT_STATIC goes with PRT_IMPLEMENTATION, in every file (prt.h, CONFIG MACROS).
-                [[ $form == *declarations ]] || syntax $form -DPRT_STATIC ""
+                [[ $form == *declarations || $form == bake_alone ]] || syntax $form -DPRT_STATIC ""
             done
             for simd in -DPRT_NO_SIMD -mavx2 -mavx512f; do syntax bake "" $simd; done
         done
