@@ -558,12 +558,12 @@ static int read_operations(const char *header, const char *what, int bands, oper
     return found;
 }
 
-/* of one pair: to 4 bands the kernel of the sum; above for each pair of circles two rows and a product on both, their
+/* of one pair: to 4 bands one kernel; above for each pair of circles two rows and a product on both, their
    fold, and the projection */
 static int pair_operations(const char *header, int bands, operations *o) {
     operations rows, product;
     int pairs = (3 * bands + 1) / 4, n = bands * bands;
-    if (bands < 5) return read_operations(header, "product", bands, o);
+    if (bands < 5) return read_operations(header, "products", bands, o);
     if (!read_operations(header, "rows of a function at z and -z", bands, &rows)) return 0;
     if (!read_operations(header, "product of two rows", bands, &product)) return 0;
     o->multiplications = pairs * (2 * rows.multiplications + 2 * product.multiplications + n);

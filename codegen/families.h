@@ -40,7 +40,8 @@
     X(shade_glossy, shade_glossy, 1, 10, FORM_TEXT) \
     X(phong_zonal, phong_zonal, 1, 10, FORM_TEXT) \
     X(local_frame, local_frame, 0, 0, FORM_TEXT) \
-    X(sh_product, sh_product, 1, 6, FORM_ONE | FORM_LANES | FORM_TEXT) \
+    X(sh_product, sh_product, 1, 6, FORM_ONE | FORM_TEXT) \
+    X(sh_products, sh_products, 1, 4, FORM_LANES) \
     X(sh_square, sh_square, 1, 5, FORM_ONE | FORM_TEXT) \
     X(sh_rows, sh_rows, 3, 8, FORM_NODES | FORM_BLOCK) \
     X(sh_terms, sh_terms, 3, 8, FORM_NODES) \

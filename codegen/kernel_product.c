@@ -226,11 +226,13 @@ static void tensor_product_nodes(kernel *k, int bands, const node *f, const node
     free(p);
 }
 
-/* By whichever takes fewer operations, the tensor or the circles of kernel_nodes.c: as prt_sh_product_soa does */
+/* By whichever takes fewer operations, the tensor or the circles of kernel_nodes.c */
 void product_nodes(kernel *k, int bands, const node *f, const node *g, node *out) {
     if (bands <= 4) tensor_product_nodes(k, bands, f, g, out);
     else circle_product_nodes(k, bands, f, g, out);
 }
+
+typedef void product_by(kernel *k, int bands, const node *f, const node *g, node *out);
 
 /* Outputs in the order in which the elements are done */
 static void output_product(kernel *k, int bands, const node *value) {
@@ -243,8 +245,8 @@ static void output_product(kernel *k, int bands, const node *value) {
         }
 }
 
-kernel *describe_sh_product(int bands) {
-    kernel *k = named_kernel("sh_product", "product", bands);
+static kernel *describe_product(const char *name, const char *what, int bands, product_by *multiply) {
+    kernel *k = named_kernel(name, what, bands);
     node f[MAX_BANDS * MAX_BANDS], g[MAX_BANDS * MAX_BANDS], out[MAX_BANDS * MAX_BANDS];
     int pf = kernel_param(k, "f", PARAM_INPUT, bands * bands), pg = kernel_param(k, "g", PARAM_INPUT, bands * bands);
     int l, m;
@@ -256,10 +258,19 @@ kernel *describe_sh_product(int bands) {
             g[l * (l + 1) + m] = k_element(k, pg, l * (l + 1) + m);
             g[l * (l + 1) - m] = k_element(k, pg, l * (l + 1) - m);
         }
-    product_nodes(k, bands, f, g, out);
+    multiply(k, bands, f, g, out);
     output_product(k, bands, out);
     return k;
 }
+
+kernel *describe_sh_product(int bands) { return describe_product("sh_product", "product", bands, product_nodes); }
+
+/* For batches: by points where they take fewer operations, and much less memory, than the tensor */
+static void batch_nodes(kernel *k, int bands, const node *f, const node *g, node *out) {
+    if (bands == 4) point_product_nodes(k, f, g, out);
+    else tensor_product_nodes(k, bands, f, g, out);
+}
+kernel *describe_sh_products(int bands) { return describe_product("sh_products", "products", bands, batch_nodes); }
 
 kernel *describe_sh_square(int bands) {
     kernel *k = named_kernel("sh_square", "square", bands);

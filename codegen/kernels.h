@@ -62,6 +62,7 @@ void real_result(kernel *k, node value);
 /* Parts of kernels, from nodes to nodes */
 void rotate_by_matrix(kernel *k, int bands, const node r[9], node *f); /* f is replaced */
 void product_nodes(kernel *k, int bands, const node *f, const node *g, node *out);
+void point_product_nodes(kernel *k, const node *f, const node *g, node *out);              /* four bands, by points */
 void circle_product_nodes(kernel *k, int bands, const node *f, const node *g, node *out);  /* the same by circles */
 typedef void window(int bands, xreal *weight);         /* weights of bands 0 ... bands-1, width = bands */
 window hann_weights, lanczos_weights, positive_weights;
