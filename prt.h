@@ -455,7 +455,13 @@ PRTDEF prt_result prt_sh_rotate_by  (int bands, const prt_real *blocks, const pr
    coefficient i of vector k at [i*stride + k], stride >= count. Cost: prt_sh_rotation_count multiply-adds a vector
    (three times that for _n_rgb), done in SIMD across vectors; _soa, which transposes nothing, does 0.65 to 0.8 of the
    multiply-adds that the machine can. At 4 bands arrays beyond the caches are turned at 0.7 of the rate of memcpy and
-   more, SSE2 at 0.5 (_n_rgb), 0.6 (_soa) and 0.7 (_n): docs/rotation.md. */
+   more, SSE2 at 0.5 (_n_rgb), 0.6 (_soa) and 0.7 (_n): docs/rotation.md.
+   With registers of 16 bytes (SSE2, NEON) and 5 to 8 bands the blocks of a rotation go by their factors, Z(a) D Z(g)
+   with R = Rz(a) Ry(b) Rz(g): 125, 206, 315 and 456 multiplications a vector in place of 165, 286, 455 and 680, for
+   0.16, 0.24, 0.37 and 0.53 us a call to find them: faster from about 60 vectors on; for a few, prt_sh_rotate_by is.
+   Blocks may also be a reflection's, scaled band by band, or no rotation's at all: what is not such a product within
+   4 l eps is applied as it is. Accuracy, float/double, for |f_i| <= 1: 7e-7/2e-15 at 6 bands, 1e-6/3e-15 at 8; by
+   factors, for an R that is itself a product in float, twice that. */
 PRTDEF prt_result prt_sh_rotate_by_n(int bands, const prt_real *blocks, int count, const prt_real *f, prt_real *out);
 PRTDEF prt_result prt_sh_rotate_by_n_rgb(int bands, const prt_real *blocks, int count, const prt_real *f,
                                          prt_real *out);
@@ -3508,6 +3514,11 @@ PRTDEF prt_result prt_sh_rotate_by(int bands, const prt_real *blocks, const prt_
    prt__vec; registers of 16 bytes have no cheap way to repeat a number in all lanes, so there the entries are repeated
    in advance (prt__entry), up to PRT__ENTRY_BANDS bands. */
 #if PRT__SIMD && PRT__VEC_BYTES == 16
+#  define PRT__FACTORS 1
+#else
+#  define PRT__FACTORS 0
+#endif
+#if PRT__FACTORS
 typedef prt__vec prt__entry;
 PRT__INLINE prt__entry prt__entry_of(prt_real m) { return prt__vec_set(m); }
 #else
@@ -3558,10 +3569,6 @@ typedef void prt__block_kernel(const prt__entry *m, const prt_real *x, size_t x_
 PRT__BLOCK_KERNEL(0) PRT__BLOCK_KERNEL(1) PRT__BLOCK_KERNEL(2) PRT__BLOCK_KERNEL(3)
 PRT__BLOCK_KERNEL(4) PRT__BLOCK_KERNEL(5) PRT__BLOCK_KERNEL(6) PRT__BLOCK_KERNEL(7)
 #undef PRT__BLOCK_KERNEL
-static prt__block_kernel *const prt__block_kernels[PRT__ENTRY_BANDS] = {
-    prt__block_lanes_0, prt__block_lanes_1, prt__block_lanes_2, prt__block_lanes_3,
-    prt__block_lanes_4, prt__block_lanes_5, prt__block_lanes_6, prt__block_lanes_7
-};
 
 /* The same for a block of any size, which writes before it has read all. */
 PRT__STATIC void prt__block_lanes_any(int size, const prt_real *m, const prt_real *x, size_t x_step, prt_real *out,
@@ -3586,6 +3593,192 @@ PRT__STATIC void prt__block_lanes_any(int size, const prt_real *m, const prt_rea
         for (j = 0; j < size; j++) a += m[j] * prt__vec_load(x + (size_t)j * x_step);
         prt__vec_store(out, a);
     }
+}
+
+/* ---- blocks as turns about z, y and z ---- */
+
+/* Registers of 16 bytes, where arithmetic is what takes the time, apply M^l(R) as Z(a) D Z(g), R = Rz(a) Ry(b) Rz(g): a
+   turn about y keeps cosines (m >= 0) and sines (m < 0) apart, so that D has (l+1)^2 + l^2 entries in place of (2l+1)^2.
+   A turn about z takes two multiplications a pair where its cosines are left to rows or columns of D:
+   c x_c - s x_s = c (x_c - t x_s), c x_s + s x_c = c (x_s + t x_c), t = s/c. No t is too large: what is lost of the
+   brackets is of size eps |t x|, and c times that eps |s x|; a cosine of zero becomes one far below eps. */
+
+#if PRT__FACTORS
+enum { PRT__FACTOR_BANDS = 5 };                                 /* from here on it pays (docs/rotation.md) */
+
+/* out = Z(a) D Z(g) x for one block in all lanes, coefficients so many steps apart; all of x is read first. Entries: t of
+   g for m = 1 ... l; the row m = 0 of D; for m = 1 ... l rows of cosines and of sines, and t of a. */
+PRT__INLINE void prt__factor_lanes(int l, const prt__entry *e, const prt_real *x, size_t x_step, prt_real *out,
+                                   size_t out_step) {
+    prt__vec u[PRT__ENTRY_BANDS], v[PRT__ENTRY_BANDS], a, b;
+    int m, k;
+    x += (size_t)l * x_step;
+    out += (size_t)l * out_step;
+    u[0] = prt__vec_load(x);
+    PRT__UNROLL
+    for (m = 1; m <= l; m++) {
+        prt__vec c = prt__vec_load(x + (size_t)m * x_step), s = prt__vec_load(x - (size_t)m * x_step);
+        u[m] = c - e[m - 1] * s;
+        v[m] = s + e[m - 1] * c;
+    }
+    e += l;
+    a = e[0] * u[0];
+    PRT__UNROLL
+    for (k = 1; k <= l; k++) a += e[k] * u[k];
+    prt__vec_store(out, a);
+    PRT__UNROLL
+    for (m = 1, e += l + 1; m <= l; m++, e += 2 * l + 2) {
+        a = e[0] * u[0] + e[1] * u[1];
+        b = e[l + 1] * v[1];
+        PRT__UNROLL
+        for (k = 2; k <= l; k++) {
+            a += e[k] * u[k];
+            b += e[l + k] * v[k];
+        }
+        prt__vec_store(out + (size_t)m * out_step, a - e[2 * l + 1] * b);
+        prt__vec_store(out - (size_t)m * out_step, b + e[2 * l + 1] * a);
+    }
+}
+
+#define PRT__FACTOR_KERNEL(l) \
+    PRT__STATIC void prt__factor_lanes_##l(const prt__entry *m, const prt_real *x, size_t x_step, prt_real *out, \
+                                           size_t out_step) { \
+        prt__factor_lanes(l, m, x, x_step, out, out_step); \
+    }
+PRT__FACTOR_KERNEL(2) PRT__FACTOR_KERNEL(3) PRT__FACTOR_KERNEL(4)
+PRT__FACTOR_KERNEL(5) PRT__FACTOR_KERNEL(6) PRT__FACTOR_KERNEL(7)
+#undef PRT__FACTOR_KERNEL
+
+/* Cosines and sines of the multiples of an angle; for turns by shears their quotient, and the cosine over their squared
+   length: an error of the first's grows with the multiple. */
+typedef struct prt__phasors {
+    double c[PRT__ENTRY_BANDS], s[PRT__ENTRY_BANDS], scale[PRT__ENTRY_BANDS];
+    prt__entry t[PRT__ENTRY_BANDS];
+} prt__phasors;
+
+PRT__STATIC void prt__phasor_multiples(int bands, double c, double s, prt__phasors *p) {
+    const double least = (double)PRT__EPS / 128;
+    double by;
+    int m;
+    p->c[0] = p->scale[0] = 1;
+    p->s[0] = 0;
+    for (m = 1; m < bands; m++) {
+        p->c[m] = p->c[m - 1] * c - p->s[m - 1] * s;
+        p->s[m] = p->s[m - 1] * c + p->c[m - 1] * s;
+        by = fabs(p->c[m]) >= least ? p->c[m] : least;
+        p->t[m] = prt__entry_of((prt_real)(p->s[m] / by));
+        p->scale[m] = by * (2 - (p->c[m] * p->c[m] + p->s[m] * p->s[m]));
+    }
+}
+
+/* a and g of a rotation from its block of band 1, which may be scaled or that of a reflection: each up to pi, which D
+   takes up. The last row has g, times sin b; the corner a + g and a - g, times 1 + cos b and 1 - cos b, as in
+   prt__euler. What is no rotation's gets some angles. */
+PRT__STATIC void prt__block_phasors(int bands, const prt_real *block, prt__phasors *a, prt__phasors *g) {
+    double yy = (double)block[0], yx = (double)block[2], zy = (double)block[3], zx = (double)block[5];
+    double xy = (double)block[6], xx = (double)block[8], zz = (double)block[4];
+    double px = yy + xx, py = yx - xy, qx = yy - xx, qy = -yx - xy, p = px * px + py * py, q = qx * qx + qy * qy;
+    double h = zx * zx + zy * zy, c = 1, s = 0, over;
+    if (h > DBL_MIN && h > DBL_EPSILON * DBL_EPSILON * zz * zz) {
+        over = 1 / sqrt(h);
+        c = -zx * over;
+        s = zy * over;
+    }
+    prt__phasor_multiples(bands, c, s, g);
+    if (p < q) { px = qx; py = qy; p = q; s = -s; }
+    over = p > DBL_MIN ? 1 / sqrt(p) : 0;
+    prt__phasor_multiples(bands, (px * c + py * s) * over, (py * c - px * s) * over, a);
+}
+
+/* Two doubles: rows m and -m of a block, side by side. */
+typedef double prt__twin __attribute__((vector_size(16)));
+PRT__INLINE prt__twin prt__twins(double a, double b) { prt__twin t = { a, b }; return t; }
+PRT__INLINE prt__twin prt__crossed(prt__twin t) { prt__twin r = { t[1], t[0] }; return r; }
+
+/* Rows m and -m of a block in a column of cosines and one of sines, turned back by g and a: cosine to cosine and sine to
+   sine, times `scale`; `c` and `s` sum up squares: of these, c[0] and s[1], and of what is between, c[1] and s[0]. */
+PRT__INLINE prt__twin prt__turn_back(prt__twin column, prt__twin other, double gc, double gs, double ac, prt__twin as,
+                                     prt__twin *c, prt__twin *s) {
+    prt__twin x = column * gc - other * gs, y = column * gs + other * gc;
+    x = x * ac + prt__crossed(x) * as;
+    y = y * ac + prt__crossed(y) * as;
+    *c += x * x;
+    *s += y * y;
+    return prt__twins(x[0], y[1]);
+}
+
+/* The entries of one block, as prt__factor_lanes takes them; 0 if it is not such a product to its own rounding: what D
+   holds between cosines and sines must vanish. */
+PRT__STATIC int prt__block_factors(int l, const prt_real *block, const prt__phasors *a, const prt__phasors *g,
+                                   prt__entry *e) {
+    const prt_real *plus = block + l * (2 * l + 2), *minus = plus;
+    prt__twin c = prt__twins(0, 0), s = c, zero = c, d;
+    double tolerance = 4 * l * (double)PRT__EPS;
+    int m, k, size = 2 * l + 1;
+    for (m = 1; m <= l; m++) *e++ = g->t[m];
+    e[0] = prt__entry_of(*plus);
+    for (k = 1; k <= l; k++) {
+        d = prt__turn_back(prt__twins((double)plus[k], 0), prt__twins((double)plus[-k], 0), g->c[k], g->s[k], 1, zero,
+                           &c, &s);
+        e[k] = prt__entry_of((prt_real)(d[0] * g->scale[k]));
+    }
+    for (m = 1, e += l + 1; m <= l; m++, e += size + 1) {
+        double ac = a->c[m];
+        prt__twin as = prt__twins(a->s[m], -a->s[m]), scale = prt__twins(a->scale[m], a->scale[m]);
+        plus += size;
+        minus -= size;
+        d = prt__turn_back(prt__twins((double)plus[0], (double)minus[0]), zero, 1, 0, ac, as, &c, &s);
+        e[0] = prt__entry_of((prt_real)(d[0] * a->scale[m]));
+        for (k = 1; k <= l; k++) {
+            d = prt__turn_back(prt__twins((double)plus[k], (double)minus[k]),
+                               prt__twins((double)plus[-k], (double)minus[-k]), g->c[k], g->s[k], ac, as, &c, &s);
+            d *= scale * g->scale[k];
+            e[k] = prt__entry_of((prt_real)d[0]);
+            e[l + k] = prt__entry_of((prt_real)d[1]);
+        }
+        e[2 * l + 1] = a->t[m];
+    }
+    return c[1] + s[0] <= tolerance * tolerance / size * (c[0] + s[1]);
+}
+
+/* The factors of bands 2 and above, where it pays and the blocks have them. */
+PRT__STATIC int prt__factors(int bands, const prt_real *blocks, prt__entry *entries) {
+    prt__phasors a, g;
+    int l;
+    if (bands < PRT__FACTOR_BANDS || bands > PRT__ENTRY_BANDS) return 0;
+    prt__block_phasors(bands, blocks + 1, &a, &g);
+    for (l = 2; l < bands; l++)
+        if (!prt__block_factors(l, blocks + prt__block_offset(l), &a, &g, entries + prt__block_offset(l))) return 0;
+    return 1;
+}
+#endif
+
+/* By blocks as they are, and by their factors. */
+static prt__block_kernel *const prt__block_kernels[1 + PRT__FACTORS][PRT__ENTRY_BANDS] = {
+    { prt__block_lanes_0, prt__block_lanes_1, prt__block_lanes_2, prt__block_lanes_3,
+      prt__block_lanes_4, prt__block_lanes_5, prt__block_lanes_6, prt__block_lanes_7 },
+#if PRT__FACTORS
+    { prt__block_lanes_0, prt__block_lanes_1, prt__factor_lanes_2, prt__factor_lanes_3,
+      prt__factor_lanes_4, prt__factor_lanes_5, prt__factor_lanes_6, prt__factor_lanes_7 }
+#endif
+};
+
+/* The low bands as kernels take them: band l at prt__block_offset(l) of the entries, in `room` or the blocks themselves. */
+typedef struct prt__built { const prt__entry *entries; int factors; } prt__built;
+
+PRT__STATIC prt__built prt__block_entries(int bands, const prt_real *blocks, prt__entry *room) {
+    prt__built b = { NULL, 0 };
+#if PRT__FACTORS
+    size_t i, total;
+    b.factors = prt__factors(bands, blocks, room);
+    total = prt__block_offset(b.factors ? 2 : bands < PRT__ENTRY_BANDS ? bands : PRT__ENTRY_BANDS);
+    for (i = 0; i < total; i++) room[i] = prt__entry_of(blocks[i]);
+    b.entries = room;
+#else
+    (void)bands; (void)room;
+    b.entries = blocks;
+#endif
+    return b;
 }
 
 #if PRT__SIMD
@@ -3634,9 +3827,6 @@ PRT__SHUFFLE(prt__block_lo, 0, 1, 2, 3, 16, 17, 18, 19, 4, 5, 6, 7, 20, 21, 22, 
 PRT__SHUFFLE(prt__block_hi, 8, 9, 10, 11, 24, 25, 26, 27, 12, 13, 14, 15, 28, 29, 30, 31)
 #endif
 
-/* Registers of 16 bytes take a block from vector after vector without a buffer between. */
-#define PRT__BLOCK_VECTORS (PRT__SIMD && PRT__VEC_BYTES == 16)
-
 enum { PRT__UNIT = 16 / (int)sizeof(prt_real) };                /* numbers in 16 bytes */
 
 /* The transposed PRT__LANES x PRT__LANES matrix, in place: first within blocks of 16 bytes, then the blocks. */
@@ -3679,7 +3869,7 @@ PRT__INLINE void prt__lanes_transpose(prt__vec *row) {
 PRT__INLINE void prt__lanes_transpose(prt__vec *row) { (void)row; }
 #endif
 
-#if PRT__BLOCK_VECTORS
+#if PRT__FACTORS
 /* PRT__LANES coefficients of as many vectors. */
 PRT__INLINE void prt__vectors_load(const prt_real *f, size_t stride, prt__vec *v) {
     int k;
@@ -3698,40 +3888,54 @@ PRT__INLINE void prt__vectors_store(prt_real *out, size_t stride, const prt__vec
     for (k = 0; k < PRT__LANES; k++) prt__vec_store(out + (size_t)k * stride, v[k]);
 }
 
-/* One block, or with size = 4 the first two, of PRT__LANES vectors, `stride` apart, all in registers. */
-PRT__INLINE void prt__block_vectors(int size, const prt__entry *m, const prt_real *f, prt_real *out, size_t stride) {
+/* sum = M v for one block, or with size = 4 the first two, in registers. */
+PRT__INLINE void prt__block_sums(int factors, int size, const prt__entry *m, const prt__vec *v, prt__vec *sum) {
+    int i;
+    if (size == 4) {
+        prt__block_rows(1, 1, m, v, sum);
+        prt__block_rows(3, 3, m + 1, v + 1, sum + 1);
+    } else if (factors) {
+        prt__factor_lanes(size / 2, m, (const prt_real *)v, PRT__LANES, (prt_real *)sum, PRT__LANES);
+    } else {
+        PRT__UNROLL
+        for (i = 0; i < size; i += 4) prt__block_rows(size - i < 4 ? size - i : 4, size, m + i * size, v, sum + i);
+    }
+}
+
+/* The same of PRT__LANES vectors, `stride` apart. */
+PRT__INLINE void prt__block_vectors(int factors, int size, const prt__entry *m, const prt_real *f, prt_real *out,
+                                    size_t stride) {
     prt__vec v[2 * PRT__ENTRY_BANDS - 1], sum[2 * PRT__ENTRY_BANDS - 1];
     int i;
     if (size % PRT__LANES) prt__vectors_load(f + size - PRT__LANES, stride, v + size - PRT__LANES);
     PRT__UNROLL
     for (i = 0; i + PRT__LANES <= size; i += PRT__LANES) prt__vectors_load(f + i, stride, v + i);
-    if (size == 4) {
-        prt__block_rows(1, 1, m, v, sum);
-        prt__block_rows(3, 3, m + 1, v + 1, sum + 1);
-    } else {
-        PRT__UNROLL
-        for (i = 0; i < size; i += 4) prt__block_rows(size - i < 4 ? size - i : 4, size, m + i * size, v, sum + i);
-    }
+    prt__block_sums(factors, size, m, v, sum);
     PRT__UNROLL
     for (i = 0; i + PRT__LANES <= size; i += PRT__LANES) prt__vectors_store(out + i, stride, sum + i);
     if (size % PRT__LANES) prt__vectors_store(out + size - PRT__LANES, stride, sum + size - PRT__LANES);
 }
 
 typedef void prt__vectors_kernel(const prt__entry *m, const prt_real *f, prt_real *out, size_t stride);
-#define PRT__VECTORS_KERNEL(l) \
-    PRT__STATIC void prt__block_vectors_##l(const prt__entry *m, const prt_real *f, prt_real *out, size_t stride) { \
-        prt__block_vectors(l == 1 ? 4 : 2 * l + 1, m, f, out, stride); \
+#define PRT__VECTORS_KERNEL(name, factors, l) \
+    PRT__STATIC void prt__##name##_vectors_##l(const prt__entry *m, const prt_real *f, prt_real *out, size_t stride) { \
+        prt__block_vectors(factors, l == 1 ? 4 : 2 * l + 1, m, f, out, stride); \
     }
-PRT__VECTORS_KERNEL(1) PRT__VECTORS_KERNEL(2) PRT__VECTORS_KERNEL(3) PRT__VECTORS_KERNEL(4)
-PRT__VECTORS_KERNEL(5) PRT__VECTORS_KERNEL(6) PRT__VECTORS_KERNEL(7)
+PRT__VECTORS_KERNEL(block, 0, 1) PRT__VECTORS_KERNEL(block, 0, 2) PRT__VECTORS_KERNEL(block, 0, 3)
+PRT__VECTORS_KERNEL(block, 0, 4) PRT__VECTORS_KERNEL(block, 0, 5) PRT__VECTORS_KERNEL(block, 0, 6)
+PRT__VECTORS_KERNEL(block, 0, 7)
+PRT__VECTORS_KERNEL(factor, 1, 2) PRT__VECTORS_KERNEL(factor, 1, 3) PRT__VECTORS_KERNEL(factor, 1, 4)
+PRT__VECTORS_KERNEL(factor, 1, 5) PRT__VECTORS_KERNEL(factor, 1, 6) PRT__VECTORS_KERNEL(factor, 1, 7)
 #undef PRT__VECTORS_KERNEL
-static prt__vectors_kernel *const prt__vectors_kernels[PRT__ENTRY_BANDS] = {
-    NULL, prt__block_vectors_1, prt__block_vectors_2, prt__block_vectors_3, prt__block_vectors_4, prt__block_vectors_5,
-    prt__block_vectors_6, prt__block_vectors_7
+static prt__vectors_kernel *const prt__vectors_kernels[2][PRT__ENTRY_BANDS] = {
+    { NULL, prt__block_vectors_1, prt__block_vectors_2, prt__block_vectors_3,
+      prt__block_vectors_4, prt__block_vectors_5, prt__block_vectors_6, prt__block_vectors_7 },
+    { NULL, prt__block_vectors_1, prt__factor_vectors_2, prt__factor_vectors_3,
+      prt__factor_vectors_4, prt__factor_vectors_5, prt__factor_vectors_6, prt__factor_vectors_7 }
 };
 
 /* The low bands, two or more, of a group of PRT__LANES vectors, an incomplete one by way of `part`; returns how many. */
-PRT__STATIC int prt__rotate_vectors(int bands, const prt__entry *entries, int lanes, const prt_real *f, prt_real *out,
+PRT__STATIC int prt__rotate_vectors(int bands, const prt__built *built, int lanes, const prt_real *f, prt_real *out,
                                     size_t stride) {
     prt_real part[PRT__LANES][PRT_SH_COUNT(PRT__ENTRY_BANDS)];
     int low = bands < PRT__ENTRY_BANDS ? bands : PRT__ENTRY_BANDS, l, k;
@@ -3739,76 +3943,68 @@ PRT__STATIC int prt__rotate_vectors(int bands, const prt__entry *entries, int la
     if (lanes < PRT__LANES) {
         memset(part, 0, sizeof part);
         for (k = 0; k < lanes; k++) memcpy(part[k], f + (size_t)k * stride, bytes);
-        prt__rotate_vectors(low, entries, PRT__LANES, part[0], part[0], PRT_SH_COUNT(PRT__ENTRY_BANDS));
+        prt__rotate_vectors(low, built, PRT__LANES, part[0], part[0], PRT_SH_COUNT(PRT__ENTRY_BANDS));
         for (k = 0; k < lanes; k++) memcpy(out + (size_t)k * stride, part[k], bytes);
         return low;
     }
-    prt__vectors_kernels[1](entries, f, out, stride);
+    prt__vectors_kernels[0][1](built->entries, f, out, stride);
     for (l = 2; l < low; l++)
-        prt__vectors_kernels[l](entries + prt__block_offset(l), f + l * l, out + l * l, stride);
+        prt__vectors_kernels[built->factors][l](built->entries + prt__block_offset(l), f + l * l, out + l * l, stride);
     return low;
 }
 #else
-PRT__INLINE int prt__rotate_vectors(int bands, const prt__entry *entries, int lanes, const prt_real *f, prt_real *out,
+PRT__INLINE int prt__rotate_vectors(int bands, const prt__built *built, int lanes, const prt_real *f, prt_real *out,
                                     size_t stride) {
-    (void)bands; (void)entries; (void)lanes; (void)f; (void)out; (void)stride;
+    (void)bands; (void)built; (void)lanes; (void)f; (void)out; (void)stride;
     return 0;
 }
 #endif
 
-/* The blocks as the kernels take them: repeated in `room` where registers have 16 bytes. */
-PRT__STATIC const prt__entry *prt__block_entries(int bands, const prt_real *blocks, prt__entry *room) {
-#if PRT__SIMD && PRT__VEC_BYTES == 16
-    size_t i, total = prt__block_offset(bands < PRT__ENTRY_BANDS ? bands : PRT__ENTRY_BANDS);
-    for (i = 0; i < total; i++) room[i] = prt__entry_of(blocks[i]);
-    return room;
-#else
-    (void)bands; (void)room;
-    return blocks;
-#endif
-}
-
 /* Three channels side by side need no transpose where four numbers fill a register: a coefficient's three and one of
    the next, which the next row's store puts right. The last row of a band keeps to its three. */
-#define PRT__RGB_VECTORS (PRT__BLOCK_VECTORS && PRT__LANES == 4)
+#define PRT__RGB_VECTORS (PRT__FACTORS && PRT__LANES == 4)
 
 #if PRT__RGB_VECTORS
 PRT__SHUFFLE(prt__without_first, 1, 2, 3, 3)
 
-PRT__INLINE void prt__block_rgb(int size, const prt__entry *m, const prt_real *f, prt_real *out) {
+PRT__INLINE void prt__block_rgb(int factors, int size, const prt__entry *m, const prt_real *f, prt_real *out) {
     prt__vec x[2 * PRT__ENTRY_BANDS - 1], sum[2 * PRT__ENTRY_BANDS - 1], last = prt__vec_load(f + 3 * size - 4);
     int i;
     PRT__UNROLL
     for (i = 0; i < size - 1; i++) x[i] = prt__vec_load(f + 3 * i);
     x[i] = prt__without_first(last, last);
-    PRT__UNROLL
-    for (i = 0; i < size; i += 4) prt__block_rows(size - i < 4 ? size - i : 4, size, m + i * size, x, sum + i);
+    prt__block_sums(factors, size, m, x, sum);
     PRT__UNROLL
     for (i = 0; i < size - 1; i++) prt__vec_store(out + 3 * i, sum[i]);
     memcpy(out + 3 * i, &sum[i], 3 * sizeof *out);
 }
 
 typedef void prt__rgb_kernel(const prt__entry *m, const prt_real *f, prt_real *out);
-#define PRT__RGB_KERNEL(l) \
-    PRT__STATIC void prt__block_rgb_##l(const prt__entry *m, const prt_real *f, prt_real *out) { \
-        prt__block_rgb(2 * l + 1, m, f, out); \
+#define PRT__RGB_KERNEL(name, factors, l) \
+    PRT__STATIC void prt__##name##_rgb_##l(const prt__entry *m, const prt_real *f, prt_real *out) { \
+        prt__block_rgb(factors, 2 * l + 1, m, f, out); \
     }
-PRT__RGB_KERNEL(1) PRT__RGB_KERNEL(2) PRT__RGB_KERNEL(3) PRT__RGB_KERNEL(4)
-PRT__RGB_KERNEL(5) PRT__RGB_KERNEL(6) PRT__RGB_KERNEL(7)
+PRT__RGB_KERNEL(block, 0, 1) PRT__RGB_KERNEL(block, 0, 2) PRT__RGB_KERNEL(block, 0, 3) PRT__RGB_KERNEL(block, 0, 4)
+PRT__RGB_KERNEL(block, 0, 5) PRT__RGB_KERNEL(block, 0, 6) PRT__RGB_KERNEL(block, 0, 7)
+PRT__RGB_KERNEL(factor, 1, 2) PRT__RGB_KERNEL(factor, 1, 3) PRT__RGB_KERNEL(factor, 1, 4)
+PRT__RGB_KERNEL(factor, 1, 5) PRT__RGB_KERNEL(factor, 1, 6) PRT__RGB_KERNEL(factor, 1, 7)
 #undef PRT__RGB_KERNEL
-static prt__rgb_kernel *const prt__rgb_kernels[PRT__ENTRY_BANDS] = {
-    NULL, prt__block_rgb_1, prt__block_rgb_2, prt__block_rgb_3, prt__block_rgb_4, prt__block_rgb_5, prt__block_rgb_6,
-    prt__block_rgb_7
+static prt__rgb_kernel *const prt__rgb_kernels[2][PRT__ENTRY_BANDS] = {
+    { NULL, prt__block_rgb_1, prt__block_rgb_2, prt__block_rgb_3,
+      prt__block_rgb_4, prt__block_rgb_5, prt__block_rgb_6, prt__block_rgb_7 },
+    { NULL, prt__block_rgb_1, prt__factor_rgb_2, prt__factor_rgb_3,
+      prt__factor_rgb_4, prt__factor_rgb_5, prt__factor_rgb_6, prt__factor_rgb_7 }
 };
 
 PRT__STATIC void prt__rotate_rgb(int bands, const prt_real *blocks, int count, const prt_real *f, prt_real *out) {
     prt__entry room[PRT__ENTRIES];
-    const prt__entry *entries = prt__block_entries(bands, blocks, room);
+    prt__built built = prt__block_entries(bands, blocks, room);
+    prt__rgb_kernel *const *kernels = prt__rgb_kernels[built.factors];
     size_t stride = (size_t)(PRT_SH_COUNT(bands) * 3);
     int k, l;
     for (k = 0; k < count; k++, f += stride, out += stride) {
         for (l = 0; l < 3; l++) out[l] = blocks[0] * f[l];
-        for (l = 1; l < bands; l++) prt__rgb_kernels[l](entries + prt__block_offset(l), f + 3 * l * l, out + 3 * l * l);
+        for (l = 1; l < bands; l++) kernels[l](built.entries + prt__block_offset(l), f + 3 * l * l, out + 3 * l * l);
     }
 }
 #endif
@@ -3851,7 +4047,7 @@ PRT__STATIC void prt__lanes_scatter(size_t stride, const prt_real *x, int count,
 }
 
 /* Bands first ... end-1 of one group of lanes; `channels` values stand side by side for each coefficient. */
-PRT__STATIC void prt__rotate_lanes(int first, int end, int channels, const prt__entry *entries, const prt_real *blocks,
+PRT__STATIC void prt__rotate_lanes(int first, int end, int channels, const prt__built *built, const prt_real *blocks,
                                    const prt_real *x, prt_real *out) {
     size_t step = (size_t)(channels * PRT__LANES);
     int l, c;
@@ -3859,7 +4055,7 @@ PRT__STATIC void prt__rotate_lanes(int first, int end, int channels, const prt__
         for (c = 0; c < channels; c++) {
             int at = ((l * l - first * first) * channels + c) * PRT__LANES;
             size_t block = prt__block_offset(l);
-            if (l < PRT__ENTRY_BANDS) prt__block_kernels[l](entries + block, x + at, step, out + at, step);
+            if (l < PRT__ENTRY_BANDS) prt__block_kernels[built->factors][l](built->entries + block, x + at, step, out + at, step);
             else prt__block_lanes_any(2 * l + 1, blocks + block, x + at, step, out + at, step);
         }
 }
@@ -3884,7 +4080,7 @@ PRT__STATIC void prt__rotate_many(int bands, int channels, const prt_real *block
     enum { BAND = 3 * (2 * PRT_MAX_BANDS - 1), ROOM = BAND > 3 * 64 ? BAND : 3 * 64 };
     prt__vec x[ROOM], y[ROOM];
     prt__entry room[PRT__ENTRIES];
-    const prt__entry *entries = prt__block_entries(bands, blocks, room);
+    prt__built built = prt__block_entries(bands, blocks, room);
     size_t stride = (size_t)(PRT_SH_COUNT(bands) * channels);
     int k, first, end, far_away = (size_t)count > ((size_t)1 << 22) / sizeof *f / stride;       /* beyond most caches */
     for (k = 0; k < count; k += PRT__LANES) {
@@ -3892,7 +4088,7 @@ PRT__STATIC void prt__rotate_many(int bands, int channels, const prt_real *block
         if (far_away)
             prt__fetch_ahead((size_t)(next < PRT__LANES ? next : PRT__LANES) * stride, f + (size_t)(k + lanes) * stride,
                              out + (size_t)(k + lanes) * stride);
-        first = channels == 1 && bands > 1 ? prt__rotate_vectors(bands, entries, lanes, f + (size_t)k * stride,
+        first = channels == 1 && bands > 1 ? prt__rotate_vectors(bands, &built, lanes, f + (size_t)k * stride,
                                                                  out + (size_t)k * stride, stride) : 0;
         for (; first < bands; first = end) {
             size_t start = (size_t)k * stride + (size_t)(first * first * channels);
@@ -3900,20 +4096,19 @@ PRT__STATIC void prt__rotate_many(int bands, int channels, const prt_real *block
             for (end = first + 1; end < bands && (end + 1 - first) * (end + 1 + first) * channels <= ROOM; end++) { }
             size = (end * end - first * first) * channels;
             prt__lanes_gather(stride, f + start, size, lanes, (prt_real *)x);
-            prt__rotate_lanes(first, end, channels, entries, blocks, (const prt_real *)x, (prt_real *)y);
+            prt__rotate_lanes(first, end, channels, &built, blocks, (const prt_real *)x, (prt_real *)y);
             prt__lanes_scatter(stride, (const prt_real *)y, size, lanes, out + start);
         }
     }
 }
 
 /* Band l of one group of lanes in rows, by way of x: the band may be of any size and the group incomplete. */
-PRT__STATIC void prt__rotate_row_part(int l, int lanes, const prt__entry *entries, const prt_real *blocks,
-                                      const prt_real *f, prt_real *out, size_t stride) {
+PRT__STATIC void prt__rotate_row_part(int l, int lanes, prt__block_kernel *kernel, const prt__entry *entries,
+                                      const prt_real *blocks, const prt_real *f, prt_real *out, size_t stride) {
     prt__vec x[2 * PRT_MAX_BANDS], y[2 * PRT_MAX_BANDS];
     int j, size = 2 * l + 1;
     for (j = 0; j < size; j++) x[j] = prt__vec_load_part(f + (size_t)j * stride, lanes);
-    if (l < PRT__ENTRY_BANDS)
-        prt__block_kernels[l](entries, (const prt_real *)x, PRT__LANES, (prt_real *)y, PRT__LANES);
+    if (kernel) kernel(entries, (const prt_real *)x, PRT__LANES, (prt_real *)y, PRT__LANES);
     else
         prt__block_lanes_any(size, blocks, (const prt_real *)x, PRT__LANES, (prt_real *)y, PRT__LANES);
     for (j = 0; j < size; j++) prt__vec_store_part(out + (size_t)j * stride, y[j], lanes);
@@ -3923,17 +4118,18 @@ PRT__STATIC void prt__rotate_row_part(int l, int lanes, const prt__entry *entrie
 PRT__STATIC void prt__rotate_rows(int bands, const prt_real *blocks, int count, const prt_real *f, prt_real *out,
                                   size_t stride) {
     prt__entry room[PRT__ENTRIES];
-    const prt__entry *entries = prt__block_entries(bands, blocks, room);
+    prt__built built = prt__block_entries(bands, blocks, room);
     int l, k;
     for (l = 0; l < bands; l++) {
         size_t row = (size_t)(l * l) * stride, block = prt__block_offset(l);
-        const prt__entry *m = l < PRT__ENTRY_BANDS ? entries + block : entries;
+        prt__block_kernel *kernel = l < PRT__ENTRY_BANDS ? prt__block_kernels[built.factors][l] : NULL;
+        const prt__entry *m = built.entries + (kernel ? block : 0);
         for (k = 0; k < count; k += PRT__LANES) {
             const prt_real *from = f + row + k;
             prt_real *to = out + row + k;
             int lanes = count - k < PRT__LANES ? count - k : PRT__LANES;
-            if (lanes == PRT__LANES && l < PRT__ENTRY_BANDS) prt__block_kernels[l](m, from, stride, to, stride);
-            else prt__rotate_row_part(l, lanes, m, blocks + block, from, to, stride);
+            if (lanes == PRT__LANES && kernel) kernel(m, from, stride, to, stride);
+            else prt__rotate_row_part(l, lanes, kernel, m, blocks + block, from, to, stride);
         }
     }
 }

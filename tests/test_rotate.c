@@ -124,7 +124,7 @@ static void the_published_recursion_explodes(void **state) {
         middle = fmax(middle, worst_orthogonality(63, 64, blocks));
         high = fmax(high, worst_orthogonality(127, 128, blocks));
     }
-    assert_at_most(low, BY_PRECISION(3e-6, 6e-15));
+    assert_at_most(low, BY_PRECISION(2e-6, 4e-15));
     assert_at_most(BY_PRECISION(1e-3, 1e-12), middle);
     assert_at_most(BY_PRECISION(1e6, 1e-6), high);
     free(blocks);
@@ -233,7 +233,7 @@ static void every_layout_is_the_plain_product(void **state) {
 
 /* A vector's bits depend neither on the count nor on its place, in place or not, and nothing else is written. */
 static void batches_are_bit_equal_to_their_parts(void **state) {
-    static const int all_bands[] = { 1, 2, 3, 4, 6, 10 };
+    static const int all_bands[] = { 1, 2, 3, 4, 5, 6, 8, 10 };
     enum { COUNT = 40, MOST = 3 * 100 };
     prt_real *blocks = new_array(prt_sh_rotation_count(10)), rotation[9];
     prt_real *f = new_array(COUNT * MOST), *out = new_array(COUNT * MOST + 1), part[MOST + 1];
@@ -271,7 +271,7 @@ static void batches_are_bit_equal_to_their_parts(void **state) {
 
 /* The same for rows: any count, any place in the row, in place or not. */
 static void rows_are_bit_equal_to_their_parts(void **state) {
-    static const int all_bands[] = { 1, 2, 4, 6, 9 };
+    static const int all_bands[] = { 1, 2, 4, 5, 6, 8, 9 };
     enum { COUNT = 40, STRIDE = 43, MOST = 81 * STRIDE };
     prt_real *blocks = new_array(prt_sh_rotation_count(9)), rotation[9];
     prt_real *f = new_array(MOST), *out = new_array(MOST), *part = new_array(MOST);
@@ -301,6 +301,150 @@ static void rows_are_bit_equal_to_their_parts(void **state) {
     free(blocks);
 }
 
+/* Many vectors at 5 to 8 bands may go by factors of the blocks, turns about z, y and z: that must not show. Every layout
+   against the plain product of the blocks as they are, band l within scale[l] tolerance (scale NULL: 1). */
+enum { FACTORED = 8, SOME = 5 };
+typedef struct factored_case { prt_real blocks[FACTORED * (4 * FACTORED * FACTORED - 1) / 3], f[3 * SOME * FACTORED * FACTORED]; } factored_case;
+
+static void layouts_agree(int bands, const factored_case *c, const double *scale, double tolerance) {
+    enum { MOST = FACTORED * FACTORED };
+    prt_real out[3 * SOME * MOST];
+    double want[MOST];
+    int form, k, l, i, n = bands * bands;
+    for (form = 0; form < 3; form++) {
+        int plane_step = form ? 1 : n, step = form == 2 ? SOME : form == 1 ? 3 : 1, vectors = form == 1 ? 3 * SOME : SOME;
+        if (form == 0) assert_int_equal(prt_sh_rotate_by_n(bands, c->blocks, SOME, c->f, out), PRT_OK);
+        if (form == 1) assert_int_equal(prt_sh_rotate_by_n_rgb(bands, c->blocks, SOME, c->f, out), PRT_OK);
+        if (form == 2) assert_int_equal(prt_sh_rotate_by_soa(bands, c->blocks, SOME, c->f, out, SOME), PRT_OK);
+        for (k = 0; k < vectors; k++) {
+            int at = form == 1 ? k / 3 * 3 * n + k % 3 : k * plane_step;
+            plain_product(bands, c->blocks, c->f + at, (size_t)step, want);
+            for (l = 0; l < bands; l++)
+                for (i = l * l; i < (l + 1) * (l + 1); i++)
+                    assert_near(out[at + i * step], want[i], tolerance * (scale ? scale[l] : 1));
+        }
+    }
+}
+
+/* R = Rz(a) Ry(b) Rz(g), rounded. */
+static void rotation_of_angles(double a, double b, double g, prt_real r[9]) {
+    double ca = cos(a), sa = sin(a), cb = cos(b), sb = sin(b), cg = cos(g), sg = sin(g);
+    r[0] = (prt_real)(ca * cb * cg - sa * sg); r[1] = (prt_real)(-ca * cb * sg - sa * cg); r[2] = (prt_real)(ca * sb);
+    r[3] = (prt_real)(sa * cb * cg + ca * sg); r[4] = (prt_real)(-sa * cb * sg + ca * cg); r[5] = (prt_real)(sa * sb);
+    r[6] = (prt_real)(-sb * cg); r[7] = (prt_real)(sb * sg); r[8] = (prt_real)cb;
+}
+
+/* Where a cosine or sine of a multiple of a or g vanishes or nearly so, tilts from nothing to upside down; each as a
+   rotation and as a reflection. */
+static void many_vectors_take_hard_angles(void **state) {
+    static const double tilt[] = { 0, 1e-9, 1e-7, 1e-4, 0.7, 0.5, 1 - 1e-4, 1 - 1e-7, 1 };            /* over pi */
+    static factored_case c;
+    double turn[18];
+    prt_real r[9];
+    int a, g, i, trial = 0;
+    size_t b;
+    (void)state;
+    for (i = 0; i < 8; i++) turn[i] = pi / 2 / (i + 1);
+    for (i = 0; i < 7; i++) turn[8 + i] = -3 * pi / 2 / (i + 1) + (i & 1 ? 1e-8 : -1e-5);
+    turn[15] = 0; turn[16] = 1e-7; turn[17] = pi;
+    random_vector((int)(sizeof c.f / sizeof *c.f), c.f);
+    for (a = 0; a < 18; a++)
+        for (b = 0; b < sizeof tilt / sizeof *tilt; b++)
+            for (g = (a + (int)b) % 6; g < 18; g += 6, trial++) {
+                rotation_of_angles(turn[a], pi * tilt[b], turn[g], r);
+                for (i = 0; i < 9 && trial % 5 == 0; i++) r[i] = -r[i];
+                assert_int_equal(prt_sh_rotation(FACTORED, r, c.blocks), PRT_OK);
+                layouts_agree(FACTORED - trial % 4, &c, NULL, BY_PRECISION(2e-6, 4e-15));
+            }
+}
+
+/* The whole turn and quarter turns only move numbers and change signs. */
+static void quarter_turns_of_many_vectors_are_permutations(void **state) {
+    static factored_case c;
+    static prt_real out[3 * SOME * FACTORED * FACTORED];
+    int quarter, k, l, m, n = FACTORED * FACTORED;
+    (void)state;
+    random_vector((int)(sizeof c.f / sizeof *c.f), c.f);
+    for (quarter = 0; quarter < 4; quarter++) {
+        prt_real turn[4] = { 0, 0, 0, 0 }, r[9];
+        turn[0] = quarter == 0 ? 1 : quarter == 2 ? 0 : 1;
+        turn[3] = quarter == 0 ? 0 : quarter == 3 ? -1 : 1;
+        assert_int_equal(prt_rotation_from_quaternion(turn, r), PRT_OK);
+        assert_int_equal(prt_sh_rotation(FACTORED, r, c.blocks), PRT_OK);
+        assert_int_equal(prt_sh_rotate_by_n(FACTORED, c.blocks, SOME, c.f, out), PRT_OK);
+        for (k = 0; k < SOME; k++)
+            for (l = 0; l < FACTORED; l++)
+                for (m = -l; m <= l; m++) {
+                    double cosine = floor(cos(m * quarter * pi / 2) + 0.5), sine = floor(sin(m * quarter * pi / 2) + 0.5);
+                    const prt_real *f = c.f + k * n;
+                    assert_near(out[k * n + PRT_SH_INDEX(l, m)], cosine * (double)f[PRT_SH_INDEX(l, m)]
+                                - sine * (double)f[PRT_SH_INDEX(l, -m)], BY_PRECISION(5e-7, 1e-15));
+                }
+    }
+}
+
+/* Blocks need not be a rotation's: bands scaled, some to nothing, means of two rotations, any numbers, one entry off by a
+   little: all count as they are. */
+static void many_vectors_take_blocks_as_they_are(void **state) {
+    static const double scale[FACTORED] = { 3, -1e-3, 1e4, 0, 1, -1e-20, 1e20, 1e-6 };
+    static factored_case c, other;
+    double size[FACTORED];
+    prt_real r[9];
+    int l, i, trial, count = (int)prt_sh_rotation_count(FACTORED);
+    (void)state;
+    random_vector((int)(sizeof c.f / sizeof *c.f), c.f);
+    for (trial = 0; trial < 2 * FACTORED; trial++) {
+        random_rotation(r);
+        assert_int_equal(prt_sh_rotation(FACTORED, r, c.blocks), PRT_OK);
+        for (l = 0; l < FACTORED; l++) {
+            double s = scale[(l + trial) % FACTORED];
+            size[l] = fabs(s);
+            for (i = (int)prt_sh_rotation_count(l); i < (int)prt_sh_rotation_count(l + 1); i++)
+                c.blocks[i] = (prt_real)(s * (double)c.blocks[i]);
+        }
+        layouts_agree(FACTORED - trial % 4, &c, size, BY_PRECISION(2e-6, 4e-15));
+    }
+    random_rotation(r);
+    assert_int_equal(prt_sh_rotation(FACTORED, r, other.blocks), PRT_OK);
+    random_rotation(r);
+    assert_int_equal(prt_sh_rotation(FACTORED, r, c.blocks), PRT_OK);
+    for (i = 0; i < count; i++) other.blocks[i] = (other.blocks[i] + c.blocks[i]) / 2;
+    memcpy(other.f, c.f, sizeof c.f);
+    layouts_agree(FACTORED, &other, NULL, BY_PRECISION(2e-6, 4e-15));
+    random_vector(count, other.blocks);
+    layouts_agree(FACTORED, &other, NULL, BY_PRECISION(4e-6, 8e-15));
+    for (i = 0; i < (int)prt_sh_rotation_count(6); i++) {
+        prt_real as_it_was = c.blocks[i];
+        c.blocks[i] += BY_PRECISION(1e-4f, 1e-12);
+        layouts_agree(6, &c, NULL, BY_PRECISION(2e-6, 4e-15));
+        c.blocks[i] = as_it_was;
+    }
+}
+
+/* NaN in a block reaches the row that it stands in, and no other; large coefficients stay finite. */
+static void blocks_with_nan_and_large_vectors(void **state) {
+    static factored_case c;
+    static prt_real out[SOME * 36];
+    prt_real r[9];
+    int l, i, k;
+    (void)state;
+    skip_if_fast_math();
+    rotation_of_angles(pi / 2, 0.7, pi / 4, r);
+    assert_int_equal(prt_sh_rotation(6, r, c.blocks), PRT_OK);
+    random_vector((int)(sizeof c.f / sizeof *c.f), c.f);
+    for (i = 0; i < SOME * 36; i++) c.f[i] *= PRT__R(1e28);
+    assert_int_equal(prt_sh_rotate_by_n(6, c.blocks, SOME, c.f, out), PRT_OK);
+    for (i = 0; i < SOME * 36; i++) assert_at_most(fabs((double)out[i]), 1e29);
+    for (l = 1; l < 6; l++)
+        for (i = 0; i <= 2 * l; i++) {
+            prt_real *entry = &c.blocks[prt_sh_rotation_count(l) + (size_t)(i * (2 * l + 1) + i / 2)], as_it_was = *entry;
+            *entry = (prt_real)NAN;
+            assert_int_equal(prt_sh_rotate_by_n(6, c.blocks, SOME, c.f, out), PRT_OK);
+            for (k = 0; k < SOME * 36; k++) assert_int_equal(out[k] != out[k], k % 36 == l * l + i);
+            *entry = as_it_was;
+        }
+}
+
 /* ---- one vector, one rotation ----------------------------------------------------------------------------------- */
 
 static void rotation_about_z(double angle, prt_real r[9]) {
@@ -322,7 +466,7 @@ static void one_shot_agrees_with_the_reference_table(void **state) {
                     double want = 0;
                     for (j = 0; j <= 2 * l; j++)
                         want += golden[c].blocks[l * (4 * l * l - 1) / 3 + i * (2 * l + 1) + j] * (double)f[l * l + j];
-                    assert_near(out[l * l + i], want, BY_PRECISION(3e-6, 1e-14));
+                    assert_near(out[l * l + i], want, BY_PRECISION(2e-6, 4e-15));
                 }
         }
 }
@@ -351,7 +495,7 @@ static void one_shot_holds_near_the_poles(void **state) {
                 assert_int_equal(prt_sh_rotation(10, r, blocks), PRT_OK);
                 plain_product(10, blocks, f, 1, want);
                 assert_int_equal(prt_sh_rotate(8, r, f, out), PRT_OK);
-                for (i = 0; i < 64; i++) assert_near(out[i], want[i], BY_PRECISION(3e-6, 1e-14));
+                for (i = 0; i < 64; i++) assert_near(out[i], want[i], BY_PRECISION(2e-6, 4e-15));
                 assert_int_equal(prt_sh_rotate(10, r, f, out), PRT_OK);
                 for (i = 0; i < 100; i++) assert_near(out[i], want[i], BY_PRECISION(4e-6, 1e-14));
             }
@@ -366,7 +510,7 @@ static void one_shot_agrees_with_the_blocks(void **state) {
     (void)state;
     for (bands = 1; bands <= 64; bands += bands < 12 ? 1 : 13)
         for (trial = 0; trial < 8; trial++) {
-            double tolerance = bands <= 8 ? BY_PRECISION(3e-6, 1e-14) : BY_PRECISION(4e-7, 1e-15) * bands;
+            double tolerance = bands <= 8 ? BY_PRECISION(2e-6, 4e-15) : BY_PRECISION(4e-7, 1e-15) * bands;
             random_rotation(rotation);
             if (trial & 1) for (i = 0; i < 9; i++) rotation[i] = -rotation[i];
             random_vector(bands * bands, f);
@@ -515,7 +659,7 @@ static void zonal_functions_follow_their_axis(void **state) {
         assert_at_most(distance(N, out, want), BY_PRECISION(2e-6, 6e-15));
         axis.x *= PRT__R(1.0009); axis.y *= PRT__R(1.0009); axis.z *= PRT__R(1.0009);
         assert_int_equal(prt_sh_zonal_to(BANDS, zonal, axis, out), PRT_OK);
-        assert_at_most(distance(N, out, want), BY_PRECISION(3e-6, 1e-14));
+        assert_at_most(distance(N, out, want), BY_PRECISION(2e-6, 4e-15));
     }
 }
 
@@ -673,6 +817,10 @@ int main(void) {
         cmocka_unit_test(every_layout_is_the_plain_product),
         cmocka_unit_test(batches_are_bit_equal_to_their_parts),
         cmocka_unit_test(rows_are_bit_equal_to_their_parts),
+        cmocka_unit_test(many_vectors_take_hard_angles),
+        cmocka_unit_test(quarter_turns_of_many_vectors_are_permutations),
+        cmocka_unit_test(many_vectors_take_blocks_as_they_are),
+        cmocka_unit_test(blocks_with_nan_and_large_vectors),
         cmocka_unit_test(one_shot_agrees_with_the_reference_table),
         cmocka_unit_test(one_shot_holds_near_the_poles),
         cmocka_unit_test(one_shot_agrees_with_the_blocks),
