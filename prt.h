@@ -474,16 +474,16 @@ PRTDEF prt_result prt_sh_rotate_by_soa(int bands, const prt_real *blocks, int co
    quotients of entries of R, good at the poles too, and no angle is computed. Reflections go by M(-R) = (-1)^l M(R).
    out may be f.
    Accuracy, float/double, tilts of 1e-7 from the poles included, for |f_i| <= 1: 2e-6/4e-15 to 8 bands, 3e-7/8e-16 a
-   band above. 1000 turns by 2 pi/1000 at 6 bands come back in float within 7e-5 about x, y and z, about other axes
-   within 1.1e-4 in the mean and 4e-4 at worst, of which the rounding of R alone makes 1e-5 and 3e-5: multiples of a
-   and g are rounded each on its own (docs/rotation.md). a is worked out in double from g as it was rounded, and the constants
-   of the swap are rounded so that it stays its own inverse. At 5 bands, by tensors: within 1e-4 about x, y and z,
-   6e-5 in the mean and 1.4e-4 at worst about others. Cost: 9 55 122 224 358 528 738 multiplications and about 0.6
-   times as many additions for 2 to 8 bands without SIMD; with it fewer, four at a time, and above 5 bands one root and
-   two divisions. 0.41, 0.57, 0.64 and 0.7 times the time of DirectXMath's XMSHRotate at 3 to 6 bands (AVX-512; 0.51,
-   0.6, 0.7 and 0.78 with SSE2). Above 8 bands the swap is computed on the way, in double, about 16 l^2 operations a
-   band without a root or division: 0.22, 1.5 and 41 us at 9, 16 and 64 bands (AVX-512; 0.35, 3.3 and 167 us with
-   SSE2), a seventh of what building the blocks takes. */
+   band above. 1000 turns by 2 pi/1000 come back in float within 1e-4 from 6 bands on: 3e-5 in the mean over all axes,
+   8e-5 at worst of 6000, of which the rounding of R makes 1e-5 and 3e-5 (docs/rotation.md). For that each multiple of
+   a is worked out in double from that of g as it was rounded, and the constants of the swap are rounded so that it
+   stays its own inverse; without SIMD all of it is in double, and the rounding of R is what remains. At 5 bands, by
+   tensors: 6e-5 in the mean and 2e-4 at worst. Cost: 9 55 122 224 358 528 738 multiplications and about 0.6 times as
+   many additions for 2 to 8 bands without SIMD; with it fewer, four at a time, and above 5 bands one root and two
+   divisions. 0.41, 0.57, 0.64 and 0.7 times the time of DirectXMath's XMSHRotate at 3 to 6 bands (AVX-512; 0.51, 0.6,
+   0.7 and 0.78 with SSE2). Above 8 bands the swap is computed on the way, in double, about 16 l^2 operations a band
+   without a root or division: 0.22, 1.5 and 41 us at 9, 16 and 64 bands (AVX-512; 0.35, 3.3 and 167 us with SSE2), a
+   seventh of what building the blocks takes. */
 PRTDEF prt_result prt_sh_rotate     (int bands, const prt_real rotation[9], const prt_real *f, prt_real *out);
 
 /* The same about z by an angle in radians (finite, else PRT_ERR_VALUE), from +x towards +y. out may be f.
@@ -4171,17 +4171,16 @@ PRTDEF prt_result prt_sh_rotate_by_soa(int bands, const prt_real *blocks, int co
 
 /* ---- one vector, one rotation ---- */
 
-/* cos and sin of a, b, g with R = Rz(a) Ry(b) Rz(g), in this order, and of 2g, for a proper rotation. R holds the phasor
-   of g in its last row, times sin b. That of a in the last column is lost near the poles; but the upper left corner
-   holds those of a + g, times 1 + cos b, and of a - g, times 1 - cos b, and one of the two is always well defined. What
-   is of length 1 up to the error of R needs no root to be normalised, one step of Newton's does. a is worked out in double
-   from g as it was rounded, and so takes back the error of g: where one rotation is applied again and again, their sum
-   must be right. Nothing waits for it, a comes last. */
-typedef struct prt__angles { double ca, sa; prt_real cb, sb, cg, sg, c2g, s2g; } prt__angles;
+/* cos and sin of b, g and 2g, and of p = a + side g, with R = Rz(a) Ry(b) Rz(g), for a proper rotation; vb = 1 - cos b.
+   R holds the phasor of g in its last row, times sin b. That of a in the last column is lost near the poles; but the upper
+   left corner holds those of a + g, times 1 + cos b, and of a - g, times 1 - cos b, and one of the two is always well
+   defined. What is of length 1 up to the error of R needs no root to be normalised, one step of Newton's does. */
+typedef struct prt__angles { double cp, sp; prt_real side, cb, vb, sb, cg, sg, c2g, s2g; } prt__angles;
 PRT__INLINE void prt__euler(const prt_real *r, prt__angles *e) {
     prt_real h2 = r[6] * r[6] + r[7] * r[7], h = 0, c = r[8], over, unit;
     prt_real side = prt__sign(c), scale = 1 / (1 + side * c);
-    double x = (double)((r[4] + side * r[0]) * scale), y = (double)((r[3] - side * r[1]) * scale), length, cg, sg;
+    double x = (double)((r[4] + side * r[0]) * scale), y = (double)((r[3] - side * r[1]) * scale);
+    double length = 1.5 - 0.5 * (x * x + y * y);
     e->cg = e->c2g = 1;
     e->sg = e->s2g = 0;
     if (h2 > PRT__EPS * PRT__EPS * PRT__EPS * PRT__EPS) {
@@ -4192,14 +4191,35 @@ PRT__INLINE void prt__euler(const prt_real *r, prt__angles *e) {
         e->c2g = (r[6] * r[6] - r[7] * r[7]) * over;
         e->s2g = -2 * r[6] * r[7] * over;
     }
-    cg = (double)e->cg;
-    sg = (double)e->sg;
-    length = (1.5 - 0.5 * (x * x + y * y)) * (2 - (cg * cg + sg * sg));
-    e->ca = (x * cg + y * sg) * length;
-    e->sa = (y * cg - x * sg) * length * (double)side;
+    e->side = side;
+    e->cp = x * length;
+    e->sp = y * (length * (double)side);
     unit = PRT__R(1.5) - PRT__R(0.5) * (h2 + c * c);
     e->cb = c * unit;
     e->sb = h * unit;
+    e->vb = (1 - side) + side * (e->sb * e->sb * scale);
+}
+
+/* A multiple of a from those of p, in double, and of g, as it was rounded, in length and angle: what one turn about z does
+   wrong, the other takes back. Where one rotation is applied again and again their sum must be right. */
+PRT__INLINE void prt__rest_of_p(double side, double cp, double sp, double cg, double sg, double *ca, double *sa) {
+    double s = side * sg, length = 2 - (cg * cg + s * s);
+    *ca = (cp * cg + sp * s) * length;
+    *sa = (sp * cg - cp * s) * length;
+}
+
+/* cos and sin of a, b, g, of length 1 in double */
+PRT__STATIC void prt__turn_of(const prt_real *r, double *turn) {
+    prt__angles e;
+    double cb, sb, cg, sg, b, g;
+    prt__euler(r, &e);
+    cb = (double)e.cb; sb = (double)e.sb;
+    cg = (double)e.cg; sg = (double)e.sg;
+    b = 1.5 - 0.5 * (cb * cb + sb * sb);
+    g = 1.5 - 0.5 * (cg * cg + sg * sg);
+    turn[2] = cb * b; turn[3] = sb * b;
+    turn[4] = cg * g; turn[5] = sg * g;
+    prt__rest_of_p((double)e.side, e.cp, e.sp, turn[4], turn[5], &turn[0], &turn[1]);
 }
 
 PRT__INLINE prt_real prt__determinant(const prt_real *r) {
@@ -4269,86 +4289,179 @@ PRT__INLINE void prt__turn_classes(prt__classes *v, const prt__classes *t) {
     v->odd_sin = v->odd_sin * t->odd_cos + odd * t->odd_sin;
 }
 
+/* The rest of the lanes */
+PRT__INLINE void prt__spread_multiples(prt__turn *t) {
+    t->low.even_cos = PRT__QUAD_SHUFFLE(t->high.even_cos, t->high.even_cos, 0, 1, 0, 1);
+    t->low.even_sin = PRT__QUAD_SHUFFLE(t->high.even_sin, t->high.even_sin, 0, 1, 0, 1);
+    t->low.odd_cos = PRT__QUAD_SHUFFLE(t->high.odd_cos, t->high.odd_cos, 0, 1, 0, 1);
+    t->low.odd_sin = PRT__QUAD_SHUFFLE(t->high.odd_sin, t->high.odd_sin, 0, 1, 0, 1);
+}
+
 /* From the phasors of the angle, twice and four times the angle: { 0 2 4 6 } is { 0 2 0 2 } + { 0 0 4 4 }, and 6 is of
    no use to 6 bands. */
 PRT__INLINE prt__turn prt__multiples(int bands, prt_real c1, prt_real s1, prt_real c2, prt_real s2, prt_real c4,
                                      prt_real s4) {
     prt__quad c = { 1, c2, c4, c4 }, s = { 0, s2, s4, s4 };
     prt__turn t;
-    t.low.even_cos = PRT__QUAD_SHUFFLE(c, c, 0, 1, 0, 1);
-    t.low.even_sin = PRT__QUAD_SHUFFLE(s, s, 0, 1, 0, 1);
     if (bands > 6) {
-        prt__quad up_c = { 1, 1, c4, c4 }, up_s = { 0, 0, s4, s4 };
-        c = t.low.even_cos * up_c - t.low.even_sin * up_s;
-        s = t.low.even_sin * up_c + t.low.even_cos * up_s;
+        prt__quad low_c = { 1, c2, 1, c2 }, low_s = { 0, s2, 0, s2 }, up_c = { 1, 1, c4, c4 }, up_s = { 0, 0, s4, s4 };
+        c = low_c * up_c - low_s * up_s;
+        s = low_s * up_c + low_c * up_s;
     }
     t.high.even_cos = c;
     t.high.even_sin = s;
     t.high.odd_cos = c * c1 - s * s1;
     t.high.odd_sin = s * c1 + c * s1;
-    t.low.odd_cos = PRT__QUAD_SHUFFLE(t.high.odd_cos, t.high.odd_cos, 0, 1, 0, 1);
-    t.low.odd_sin = PRT__QUAD_SHUFFLE(t.high.odd_sin, t.high.odd_sin, 0, 1, 0, 1);
     t.cos_4 = PRT__QUAD_SHUFFLE(c, t.high.odd_cos, 1, 2, 4, 5);
     t.sin_4 = PRT__QUAD_SHUFFLE(s, t.high.odd_sin, 1, 2, 4, 5);
+    prt__spread_multiples(&t);
     return t;
 }
 
-/* A small turn many times over has small b, or small a + g: 1 - 2 sin^2 is rounded once then, and a is still in double. */
-PRT__INLINE prt__turn prt__multiples_of_b(int bands, prt_real c1, prt_real s1) {
-    prt_real c2 = 1 - 2 * s1 * s1, s2 = 2 * s1 * c1;
-    return prt__multiples(bands, c1, s1, c2, s2, 1 - 2 * s2 * s2, 2 * s2 * c2);
-}
-PRT__INLINE prt__turn prt__multiples_of_a(int bands, double c1, double s1) {
-    double c2 = c1 * c1 - s1 * s1, s2 = 2 * s1 * c1, c4 = c2 * c2 - s2 * s2, s4 = 2 * s2 * c2;
-    return prt__multiples(bands, (prt_real)c1, (prt_real)s1, (prt_real)c2, (prt_real)s2, (prt_real)c4, (prt_real)s4);
+/* A small turn many times over has small b: from 1 - cos each cosine is rounded once. */
+PRT__INLINE prt__turn prt__multiples_of_b(int bands, prt_real v1, prt_real s1) {
+    const prt__quad one = { 1, 1, 1, 1 };
+    prt_real v2 = 2 * s1 * s1, s2 = 2 * s1 * (1 - v1), v4 = 2 * s2 * s2, s4 = 2 * s2 * (1 - v2);
+    prt__quad v = { 0, v2, v4, v4 }, s = { 0, s2, s4, s4 };
+    prt__turn t;
+    if (bands > 6) {
+        prt__quad low_v = { 0, v2, 0, v2 }, low_s = { 0, s2, 0, s2 };
+        prt__quad up_v = { 0, 0, v4, v4 }, up_s = { 0, 0, s4, s4 };
+        v = low_v + up_v - (low_v * up_v - low_s * up_s);
+        s = low_s + up_s - (low_s * up_v + low_v * up_s);
+    }
+    t.high.even_cos = one - v;
+    t.high.even_sin = s;
+    t.high.odd_cos = one - (v + v1 - (v * v1 - s * s1));
+    t.high.odd_sin = s + s1 - (s * v1 + v * s1);
+    t.cos_4 = PRT__QUAD_SHUFFLE(t.high.even_cos, t.high.odd_cos, 1, 2, 4, 5);
+    t.sin_4 = PRT__QUAD_SHUFFLE(t.high.even_sin, t.high.odd_sin, 1, 2, 4, 5);
+    prt__spread_multiples(&t);
+    return t;
 }
 
-/* Bands 2 and 3: f[4 ... 15] = s2 s1 c0 c1 | c2, s3 s2 s1 | c0 c1 c2 c3. */
-PRT__INLINE void prt__zyz_bands_2_3(const prt__turn *a, const prt__turn *b, const prt__turn *g, const prt_real *f,
-                                    prt_real *out) {
-    prt__quad p = prt__quad_load(f + 4), q = prt__quad_load(f + 8), r = prt__quad_load(f + 12), t, u;
+/* Four phasors in double, two and two: of registers of 16 bytes the compilers make more when told so. */
+typedef double prt__pair __attribute__((vector_size(16)));
+typedef double prt__pairs __attribute__((vector_size(32)));
+typedef struct prt__four_phasors { prt__pair c[2], s[2]; } prt__four_phasors;
+typedef struct prt__rounded { prt__quad c, s; } prt__rounded;
+
+PRT__INLINE prt__four_phasors prt__four_phasors_times(const prt__four_phasors *p, prt__pair c, prt__pair s) {
+    prt__four_phasors product;
+    int i;
+    PRT__UNROLL
+    for (i = 0; i < 2; i++) {
+        product.c[i] = p->c[i] * c - p->s[i] * s;
+        product.s[i] = p->s[i] * c + p->c[i] * s;
+    }
+    return product;
+}
+
+PRT__INLINE prt__quad prt__round_pairs(const prt__pair *v) {
+    prt__pairs both = __builtin_shufflevector(v[0], v[1], 0, 1, 2, 3);
+    return __builtin_convertvector(both, prt__quad);
+}
+
+/* prt__rest_of_p for four */
+PRT__INLINE prt__rounded prt__rest_of_four(const prt__angles *e, const prt__four_phasors *p, prt__quad cg,
+                                           prt__quad sg) {
+    prt__pairs cs = __builtin_convertvector(cg, prt__pairs), ss = __builtin_convertvector(sg * e->side, prt__pairs);
+    prt__pair c[2], s[2], ca[2], sa[2], length;
+    prt__rounded a;
+    int i;
+    c[0] = __builtin_shufflevector(cs, cs, 0, 1);
+    c[1] = __builtin_shufflevector(cs, cs, 2, 3);
+    s[0] = __builtin_shufflevector(ss, ss, 0, 1);
+    s[1] = __builtin_shufflevector(ss, ss, 2, 3);
+    PRT__UNROLL
+    for (i = 0; i < 2; i++) {
+        length = 2 - (c[i] * c[i] + s[i] * s[i]);
+        ca[i] = (p->c[i] * c[i] + p->s[i] * s[i]) * length;
+        sa[i] = (p->s[i] * c[i] - p->c[i] * s[i]) * length;
+    }
+    a.c = prt__round_pairs(ca);
+    a.s = prt__round_pairs(sa);
+    return a;
+}
+
+PRT__INLINE prt__turn prt__multiples_of_a(int bands, const prt__angles *e, const prt__turn *g) {
+    const prt__quad one = { 1, 1, 1, 1 }, zero = { 0, 0, 0, 0 };
+    double c1 = e->cp, s1 = e->sp, c2 = c1 * c1 - s1 * s1, s2 = 2 * s1 * c1, c4, s4, c5, s5;
+    prt__four_phasors low = { { { c2, c2 }, { c1, c1 } }, { { s2, s2 }, { s1, s1 } } }, high;
+    prt__pair once_or_thrice_c = { 1, c2 }, once_or_thrice_s = { 0, s2 };
+    prt__rounded four, more;
+    prt__turn a;
+    low = prt__four_phasors_times(&low, once_or_thrice_c, once_or_thrice_s);                /* 2 4 1 3 */
+    four = prt__rest_of_four(e, &low, g->cos_4, g->sin_4);
+    a.cos_4 = four.c;
+    a.sin_4 = four.s;
+    a.high.even_cos = PRT__QUAD_SHUFFLE(four.c, one, 4, 0, 1, 1);
+    a.high.even_sin = PRT__QUAD_SHUFFLE(four.s, zero, 4, 0, 1, 1);
+    c4 = low.c[0][1];
+    s4 = low.s[0][1];
+    if (bands == 6) {
+        prt__rest_of_p((double)e->side, c4 * c1 - s4 * s1, s4 * c1 + c4 * s1, (double)g->high.odd_cos[2],
+                       (double)g->high.odd_sin[2], &c5, &s5);
+        more.c = one * (prt_real)c5;
+        more.s = one * (prt_real)s5;
+        a.high.odd_cos = PRT__QUAD_SHUFFLE(four.c, more.c, 2, 3, 4, 5);
+        a.high.odd_sin = PRT__QUAD_SHUFFLE(four.s, more.s, 2, 3, 4, 5);
+    } else {
+        prt__pair fourth_c = { c4, c4 }, fourth_s = { s4, s4 };
+        high = prt__four_phasors_times(&low, fourth_c, fourth_s);                            /* 6 8 5 7 */
+        more = prt__rest_of_four(e, &high, PRT__QUAD_SHUFFLE(g->high.even_cos, g->high.odd_cos, 3, 3, 6, 7),
+                                 PRT__QUAD_SHUFFLE(g->high.even_sin, g->high.odd_sin, 3, 3, 6, 7));
+        a.high.even_cos = PRT__QUAD_SHUFFLE(a.high.even_cos, more.c, 0, 1, 2, 4);
+        a.high.even_sin = PRT__QUAD_SHUFFLE(a.high.even_sin, more.s, 0, 1, 2, 4);
+        a.high.odd_cos = PRT__QUAD_SHUFFLE(four.c, more.c, 2, 3, 6, 7);
+        a.high.odd_sin = PRT__QUAD_SHUFFLE(four.s, more.s, 2, 3, 6, 7);
+    }
+    prt__spread_multiples(&a);
+    return a;
+}
+
+/* f[4 ... 15] = s2 s1 c0 c1 | c2, s3 s2 s1 | c0 c1 c2 c3. */
+PRT__INLINE prt__classes prt__load_bands_2_3(const prt_real *f) {
+    prt__quad p = prt__quad_load(f + 4), q = prt__quad_load(f + 8), r = prt__quad_load(f + 12);
+    prt__quad t = PRT__QUAD_SHUFFLE(p, q, 2, 2, 4, 4);
     prt__classes v;
-    t = PRT__QUAD_SHUFFLE(p, q, 2, 2, 4, 4);
     v.even_cos = PRT__QUAD_SHUFFLE(r, t, 0, 2, 4, 6);
     v.odd_cos = PRT__QUAD_SHUFFLE(r, p, 1, 3, 7, 7);
     v.even_sin = PRT__QUAD_SHUFFLE(q, p, 2, 2, 4, 4);
     v.odd_sin = PRT__QUAD_SHUFFLE(q, p, 3, 1, 5, 5);
-    prt__turn_classes(&v, &g->low);
-    prt__swap_yz_3(&v);
-    prt__turn_classes(&v, &b->low);
-    prt__swap_yz_3(&v);
-    prt__turn_classes(&v, &a->low);
-    t = PRT__QUAD_SHUFFLE(v.even_sin, v.odd_sin, 3, 3, 6, 6);
-    u = PRT__QUAD_SHUFFLE(v.even_cos, v.odd_cos, 2, 2, 6, 6);
+    return v;
+}
+
+PRT__INLINE void prt__store_bands_2_3(const prt__classes *v, prt_real *out) {
+    prt__quad t = PRT__QUAD_SHUFFLE(v->even_sin, v->odd_sin, 3, 3, 6, 6);
+    prt__quad u = PRT__QUAD_SHUFFLE(v->even_cos, v->odd_cos, 2, 2, 6, 6);
     prt__quad_store(out + 4, PRT__QUAD_SHUFFLE(t, u, 0, 2, 4, 6));
-    t = PRT__QUAD_SHUFFLE(v.even_cos, v.odd_sin, 3, 3, 5, 5);
-    u = PRT__QUAD_SHUFFLE(v.even_sin, v.odd_sin, 1, 1, 4, 4);
+    t = PRT__QUAD_SHUFFLE(v->even_cos, v->odd_sin, 3, 3, 5, 5);
+    u = PRT__QUAD_SHUFFLE(v->even_sin, v->odd_sin, 1, 1, 4, 4);
     prt__quad_store(out + 8, PRT__QUAD_SHUFFLE(t, u, 0, 2, 4, 6));
-    prt__quad_store(out + 12, PRT__QUAD_SHUFFLE(v.even_cos, v.odd_cos, 0, 4, 1, 5));
+    prt__quad_store(out + 12, PRT__QUAD_SHUFFLE(v->even_cos, v->odd_cos, 0, 4, 1, 5));
+}
+
+/* f[16 ... 24] = s4 s3 s2 s1 | c0 | c1 c2 c3 c4. */
+PRT__INLINE prt__classes prt__load_band_4(const prt_real *f) {
+    prt__quad s = prt__quad_load(f + 16), c = prt__quad_load(f + 21);
+    prt__classes v;
+    v.even_cos = PRT__QUAD_SHUFFLE(c, c, 1, 3, 0, 2);
+    v.even_sin = PRT__QUAD_SHUFFLE(s, s, 2, 0, 3, 1);
+    v.odd_cos = v.odd_sin = prt__quad_load(f + 20);
+    return v;
+}
+
+PRT__INLINE void prt__store_band_4(const prt__classes *v, prt_real *out) {
+    prt__quad_store(out + 16, PRT__QUAD_SHUFFLE(v->even_sin, v->even_sin, 1, 3, 0, 2));
+    out[20] = v->odd_cos[0];
+    prt__quad_store(out + 21, PRT__QUAD_SHUFFLE(v->even_cos, v->even_cos, 2, 0, 3, 1));
 }
 
 PRT__INLINE void prt__turn_4(prt__classes *v, const prt__turn *t) {
     prt__quad c = v->even_cos;
     v->even_cos = c * t->cos_4 - v->even_sin * t->sin_4;
     v->even_sin = v->even_sin * t->cos_4 + c * t->sin_4;
-}
-
-/* f[16 ... 24] = s4 s3 s2 s1 | c0 | c1 c2 c3 c4. */
-PRT__INLINE void prt__zyz_band_4(const prt__turn *a, const prt__turn *b, const prt__turn *g, const prt_real *f,
-                                 prt_real *out) {
-    prt__quad s = prt__quad_load(f + 16), zero = prt__quad_load(f + 20), c = prt__quad_load(f + 21);
-    prt__classes v;
-    v.even_cos = PRT__QUAD_SHUFFLE(c, c, 1, 3, 0, 2);
-    v.even_sin = PRT__QUAD_SHUFFLE(s, s, 2, 0, 3, 1);
-    v.odd_cos = zero;
-    prt__turn_4(&v, g);
-    prt__swap_yz_4(&v);
-    prt__turn_4(&v, b);
-    prt__swap_yz_4(&v);
-    prt__turn_4(&v, a);
-    prt__quad_store(out + 16, PRT__QUAD_SHUFFLE(v.even_sin, v.even_sin, 1, 3, 0, 2));
-    out[20] = v.odd_cos[0];
-    prt__quad_store(out + 21, PRT__QUAD_SHUFFLE(v.even_cos, v.even_cos, 2, 0, 3, 1));
 }
 
 /* A band from 5 to 7, f and out at its m = 0. Loads stay within it: the second of each pair overlaps the first. */
@@ -4386,19 +4499,40 @@ PRT__INLINE void prt__store_classes(int l, const prt__classes *v, prt_real *out)
     if (l > 6) { out[7] = v->odd_cos[3]; out[-7] = v->odd_sin[3]; }
 }
 
-#define PRT__ZYZ_BAND(l) \
-    PRT__INLINE void prt__zyz_band_##l(const prt__turn *a, const prt__turn *b, const prt__turn *g, const prt_real *f, \
-                                       prt_real *out) { \
-        prt__classes v = prt__load_classes(l, f + PRT_SH_INDEX(l, 0)); \
-        prt__turn_classes(&v, &g->high); \
-        prt__swap_yz_##l(&v); \
-        prt__turn_classes(&v, &b->high); \
-        prt__swap_yz_##l(&v); \
-        prt__turn_classes(&v, &a->high); \
-        prt__store_classes(l, &v, out + PRT_SH_INDEX(l, 0)); \
-    }
-PRT__ZYZ_BAND(5) PRT__ZYZ_BAND(6) PRT__ZYZ_BAND(7)
-#undef PRT__ZYZ_BAND
+/* Bands 2 to bands-1, step by step: each waits for the one before, but the bands do not for each other. */
+typedef struct prt__zyz { prt__classes bands_2_3, band_4, band_5, band_6, band_7; } prt__zyz;
+
+PRT__INLINE void prt__zyz_load(int bands, const prt_real *f, prt__zyz *v) {
+    v->bands_2_3 = prt__load_bands_2_3(f);
+    v->band_4 = prt__load_band_4(f);
+    v->band_5 = prt__load_classes(5, f + PRT_SH_INDEX(5, 0));
+    if (bands > 6) v->band_6 = prt__load_classes(6, f + PRT_SH_INDEX(6, 0));
+    if (bands > 7) v->band_7 = prt__load_classes(7, f + PRT_SH_INDEX(7, 0));
+}
+
+PRT__INLINE void prt__zyz_store(int bands, const prt__zyz *v, prt_real *out) {
+    prt__store_bands_2_3(&v->bands_2_3, out);
+    prt__store_band_4(&v->band_4, out);
+    prt__store_classes(5, &v->band_5, out + PRT_SH_INDEX(5, 0));
+    if (bands > 6) prt__store_classes(6, &v->band_6, out + PRT_SH_INDEX(6, 0));
+    if (bands > 7) prt__store_classes(7, &v->band_7, out + PRT_SH_INDEX(7, 0));
+}
+
+PRT__INLINE void prt__zyz_turn(int bands, const prt__turn *t, prt__zyz *v) {
+    prt__turn_classes(&v->bands_2_3, &t->low);
+    prt__turn_4(&v->band_4, t);
+    prt__turn_classes(&v->band_5, &t->high);
+    if (bands > 6) prt__turn_classes(&v->band_6, &t->high);
+    if (bands > 7) prt__turn_classes(&v->band_7, &t->high);
+}
+
+PRT__INLINE void prt__zyz_swap(int bands, prt__zyz *v) {
+    prt__swap_yz_3(&v->bands_2_3);
+    prt__swap_yz_4(&v->band_4);
+    prt__swap_yz_5(&v->band_5);
+    if (bands > 6) prt__swap_yz_6(&v->band_6);
+    if (bands > 7) prt__swap_yz_7(&v->band_7);
+}
 
 /* The columns of R, rows 0 1 2 2 in the lanes. */
 typedef struct prt__axes { prt__quad x, y, z; } prt__axes;
@@ -4605,18 +4739,22 @@ PRT__INLINE void prt__rotate_band_4(const prt__axes *c, const prt__quad *w, cons
     prt__band_4_store(prt__contract_7(part, v), prt__contract_7(part, next), prt__contract_7(part, after), out);
 }
 
+/* The multiples stand where no step waits for them. */
 PRT__INLINE void prt__zyz_bands(int bands, const prt_real *r, const prt_real *f, prt_real *out) {
     prt__angles e;
     prt__turn a, b, g;
+    prt__zyz v;
+    prt__zyz_load(bands, f, &v);
     prt__euler(r, &e);
     g = prt__multiples(bands, e.cg, e.sg, e.c2g, e.s2g, e.c2g * e.c2g - e.s2g * e.s2g, 2 * e.s2g * e.c2g);
-    b = prt__multiples_of_b(bands, e.cb, -e.sb);
-    a = prt__multiples_of_a(bands, e.ca, e.sa);
-    prt__zyz_bands_2_3(&a, &b, &g, f, out);
-    prt__zyz_band_4(&a, &b, &g, f, out);
-    prt__zyz_band_5(&a, &b, &g, f, out);
-    if (bands > 6) prt__zyz_band_6(&a, &b, &g, f, out);
-    if (bands > 7) prt__zyz_band_7(&a, &b, &g, f, out);
+    b = prt__multiples_of_b(bands, e.vb, -e.sb);
+    prt__zyz_turn(bands, &g, &v);
+    prt__zyz_swap(bands, &v);
+    a = prt__multiples_of_a(bands, &e, &g);
+    prt__zyz_turn(bands, &b, &v);
+    prt__zyz_swap(bands, &v);
+    prt__zyz_turn(bands, &a, &v);
+    prt__zyz_store(bands, &v, out);
 }
 
 PRT__INLINE prt_result prt__rotate_quads(int bands, const prt_real *r, const prt_real *f, prt_real *out) {
@@ -4653,7 +4791,8 @@ static prt_result (*const prt__rotate_quads_of[])(const prt_real *r, const prt_r
     prt__rotate_quads_5, prt__rotate_quads_6, prt__rotate_quads_7, prt__rotate_quads_8
 };
 #else
-typedef void prt__rotate_kernel(const prt_real *r, const prt_real *turn, const prt_real *f, prt_real *PRT__RESTRICT out);
+/* In double, which costs one at a time next to nothing. */
+typedef void prt__rotate_kernel(const prt_real *r, const double *turn, const prt_real *f, prt_real *PRT__RESTRICT out);
 static prt__rotate_kernel prt__sh_rotate_2, prt__sh_rotate_3, prt__sh_rotate_4, prt__sh_rotate_5, prt__sh_rotate_6,
                           prt__sh_rotate_7, prt__sh_rotate_8;
 static prt__rotate_kernel *const prt__rotate_kernels[PRT__ROTATE_KERNELS - 1] = {
@@ -4662,16 +4801,13 @@ static prt__rotate_kernel *const prt__rotate_kernels[PRT__ROTATE_KERNELS - 1] = 
 };
 
 PRT__STATIC prt_result prt__rotate_plain(int bands, const prt_real *r, const prt_real *f, prt_real *out) {
-    prt_real copy[PRT__ROTATE_KERNELS * PRT__ROTATE_KERNELS], minus[9], turn[6] = { 1, 0, 1, 0, 1, 0 };
-    prt__angles e;
+    prt_real copy[PRT__ROTATE_KERNELS * PRT__ROTATE_KERNELS], minus[9];
+    double turn[6] = { 0 };
     const prt_real *proper = r;
     if (!prt__rotation_ok(r)) return PRT_ERR_ROTATION;
-    if (bands > 3 && prt__determinant(r) < 0) proper = prt__negated(r, minus);
     if (bands > 3) {
-        prt__euler(proper, &e);
-        turn[0] = (prt_real)e.ca; turn[1] = (prt_real)e.sa;
-        turn[2] = e.cb; turn[3] = e.sb;
-        turn[4] = e.cg; turn[5] = e.sg;
+        if (prt__determinant(r) < 0) proper = prt__negated(r, minus);
+        prt__turn_of(proper, turn);
     }
     memcpy(copy, f, (size_t)PRT_SH_COUNT(bands) * sizeof *f);               /* so that out may be f */
     if (bands == 1) out[0] = f[0];
@@ -4787,12 +4923,9 @@ PRT__STATIC void prt__band_swap_yz(int l, const prt__swap *t, prt__band *b) {
     b->s[0] = 0;
 }
 
-/* Cosine and sine of the multiples of an angle, as a band; the phasor need only be near the unit circle. */
+/* Cosine and sine of the multiples of an angle, as a band. */
 PRT__STATIC void prt__multiples_of(int bands, double c, double s, prt__band *turn) {
-    double unit = 1 / sqrt(c * c + s * s);
     int m;
-    c *= unit;
-    s *= unit;
     turn->c[0] = 1;
     turn->s[0] = 0;
     for (m = 1; m < bands; m++) {
@@ -4815,15 +4948,15 @@ PRT__STATIC void prt__band_turn(int l, const prt__band *turn, prt__band *b) {
 /* Bands first ... bands-1, in double and with the swap computed on the way. */
 PRT__STATIC void prt__rotate_far(int first, int bands, const prt_real *r, const prt_real *f, prt_real *out) {
     prt_real minus[9];
-    prt__angles e;
     const prt_real *proper = prt__determinant(r) < 0 ? prt__negated(r, minus) : r;
     prt__band a, b, g, v;
     prt__swap t;
+    double turn[6];
     int l;
-    prt__euler(proper, &e);
-    prt__multiples_of(bands, e.ca, e.sa, &a);
-    prt__multiples_of(bands, (double)e.cb, -(double)e.sb, &b);
-    prt__multiples_of(bands, (double)e.cg, (double)e.sg, &g);
+    prt__turn_of(proper, turn);
+    prt__multiples_of(bands, turn[0], turn[1], &a);
+    prt__multiples_of(bands, turn[2], -turn[3], &b);
+    prt__multiples_of(bands, turn[4], turn[5], &g);
     for (l = first; l < bands; l++) {
         prt__swap_prepare(l, &t);
         prt__band_load(l, f, &v);
@@ -17524,1356 +17657,1313 @@ PRT__INLINE void prt__row_product_6_v(const prt__vec *w, const prt__vec *v, prt_
 #if !PRT__QUADS
 /* BEGIN GENERATED: prt_codegen --lang c --emit sh_rotate --bands 2-8 */
 /* rotation of one vector by r and by turn, cos and sin of a, b, g, 2 bands: 9 multiplications, 6 additions (6 can fuse), 13 loads, 4 stores */
-PRT__STATIC void prt__sh_rotate_2(const prt_real *r, const prt_real *turn, const prt_real *f, 
-    prt_real *PRT__RESTRICT out) {
+PRT__STATIC void prt__sh_rotate_2(const prt_real *r, const double *turn, const prt_real *f, prt_real *PRT__RESTRICT out) {
     (void)turn;
-    out[0] = f[0];
-    const prt_real t1 = f[1];
-    const prt_real t2 = f[2];
-    const prt_real t3 = f[3];
-    out[1] = (r[4] * t1 + r[5] * t2) + r[3] * t3;
-    out[2] = (r[7] * t1 + r[8] * t2) + r[6] * t3;
-    out[3] = (r[1] * t1 + r[2] * t2) + r[0] * t3;
+    out[0] = (prt_real)((double)f[0]);
+    const double t1 = (double)f[1];
+    const double t2 = (double)f[2];
+    const double t3 = (double)f[3];
+    out[1] = (prt_real)(((double)r[4] * t1 + (double)r[5] * t2) + (double)r[3] * t3);
+    out[2] = (prt_real)(((double)r[7] * t1 + (double)r[8] * t2) + (double)r[6] * t3);
+    out[3] = (prt_real)(((double)r[1] * t1 + (double)r[2] * t2) + (double)r[0] * t3);
 }
 
 /* rotation of one vector by r and by turn, cos and sin of a, b, g, 3 bands: 55 multiplications, 37 additions (35 can fuse), 18 loads, 9 stores */
-PRT__STATIC void prt__sh_rotate_3(const prt_real *r, const prt_real *turn, const prt_real *f, 
-    prt_real *PRT__RESTRICT out) {
+PRT__STATIC void prt__sh_rotate_3(const prt_real *r, const double *turn, const prt_real *f, prt_real *PRT__RESTRICT out) {
     (void)turn;
-    out[0] = f[0];
-    const prt_real t1 = r[4];
-    const prt_real t2 = f[1];
-    const prt_real t3 = r[5];
-    const prt_real t4 = f[2];
-    const prt_real t5 = r[3];
-    const prt_real t6 = f[3];
-    out[1] = (t1 * t2 + t3 * t4) + t5 * t6;
-    const prt_real t7 = r[7];
-    const prt_real t8 = r[8];
-    const prt_real t9 = r[6];
-    out[2] = (t7 * t2 + t8 * t4) + t9 * t6;
-    const prt_real t10 = r[1];
-    const prt_real t11 = r[2];
-    const prt_real t12 = r[0];
-    out[3] = (t10 * t2 + t11 * t4) + t12 * t6;
-    const prt_real t13 = f[8];
-    const prt_real t14 = PRT__R(0.577350269189625764509) * f[6];
-    const prt_real t15 = t13 - t14;
-    const prt_real t16 = f[4];
-    const prt_real t17 = f[7];
-    const prt_real t18 = (t12 * t15 + t10 * t16) + t11 * t17;
-    const prt_real t19 = t13 + t14;
-    const prt_real t20 = f[5];
-    const prt_real t21 = (t12 * t16 - t10 * t19) + t11 * t20;
-    const prt_real t22 = PRT__R(2.0) * t14;
-    const prt_real t23 = (t12 * t17 + t10 * t20) + t11 * t22;
-    out[4] = (t5 * t18 + t1 * t21) + t3 * t23;
-    const prt_real t24 = (t5 * t15 + t1 * t16) + t3 * t17;
-    const prt_real t25 = (t5 * t16 - t1 * t19) + t3 * t20;
-    const prt_real t26 = (t5 * t17 + t1 * t20) + t3 * t22;
-    out[5] = (t9 * t24 + t7 * t25) + t8 * t26;
-    const prt_real t27 = t9 * ((t9 * t15 + t7 * t16) + t8 * t17) + t7 * ((t9 * t16 - t7 * t19) + t8 * t20);
-    const prt_real t28 = t27 + t8 * ((t9 * t17 + t7 * t20) + t8 * t22);
-    out[6] = PRT__R(0.866025403784438646764) * t28;
-    out[7] = (t9 * t18 + t7 * t21) + t8 * t23;
-    out[8] = -(((t5 * t24 + t1 * t25) + t3 * t26) + PRT__R(0.5) * t28);
+    out[0] = (prt_real)((double)f[0]);
+    const double t1 = (double)r[4];
+    const double t2 = (double)f[1];
+    const double t3 = (double)r[5];
+    const double t4 = (double)f[2];
+    const double t5 = (double)r[3];
+    const double t6 = (double)f[3];
+    out[1] = (prt_real)((t1 * t2 + t3 * t4) + t5 * t6);
+    const double t7 = (double)r[7];
+    const double t8 = (double)r[8];
+    const double t9 = (double)r[6];
+    out[2] = (prt_real)((t7 * t2 + t8 * t4) + t9 * t6);
+    const double t10 = (double)r[1];
+    const double t11 = (double)r[2];
+    const double t12 = (double)r[0];
+    out[3] = (prt_real)((t10 * t2 + t11 * t4) + t12 * t6);
+    const double t13 = (double)f[8];
+    const double t14 = 0.577350269189625764509 * (double)f[6];
+    const double t15 = t13 - t14;
+    const double t16 = (double)f[4];
+    const double t17 = (double)f[7];
+    const double t18 = (t12 * t15 + t10 * t16) + t11 * t17;
+    const double t19 = t13 + t14;
+    const double t20 = (double)f[5];
+    const double t21 = (t12 * t16 - t10 * t19) + t11 * t20;
+    const double t22 = 2.0 * t14;
+    const double t23 = (t12 * t17 + t10 * t20) + t11 * t22;
+    out[4] = (prt_real)((t5 * t18 + t1 * t21) + t3 * t23);
+    const double t24 = (t5 * t15 + t1 * t16) + t3 * t17;
+    const double t25 = (t5 * t16 - t1 * t19) + t3 * t20;
+    const double t26 = (t5 * t17 + t1 * t20) + t3 * t22;
+    out[5] = (prt_real)((t9 * t24 + t7 * t25) + t8 * t26);
+    const double t27 = t9 * ((t9 * t15 + t7 * t16) + t8 * t17) + t7 * ((t9 * t16 - t7 * t19) + t8 * t20);
+    const double t28 = t27 + t8 * ((t9 * t17 + t7 * t20) + t8 * t22);
+    out[6] = (prt_real)(0.866025403784438646764 * t28);
+    out[7] = (prt_real)((t9 * t18 + t7 * t21) + t8 * t23);
+    out[8] = (prt_real)(-(((t5 * t24 + t1 * t25) + t3 * t26) + 0.5 * t28));
 }
 
 /* rotation of one vector by r and by turn, cos and sin of a, b, g, 4 bands: 122 multiplications, 64 additions (61 can fuse), 31 loads, 16 stores */
-PRT__STATIC void prt__sh_rotate_4(const prt_real *r, const prt_real *turn, const prt_real *f, 
-    prt_real *PRT__RESTRICT out) {
-    out[0] = f[0];
-    const prt_real t1 = f[1];
-    const prt_real t2 = f[2];
-    const prt_real t3 = f[3];
-    out[1] = (r[4] * t1 + r[5] * t2) + r[3] * t3;
-    out[2] = (r[7] * t1 + r[8] * t2) + r[6] * t3;
-    out[3] = (r[1] * t1 + r[2] * t2) + r[0] * t3;
-    const prt_real t4 = turn[0];
-    const prt_real t5 = turn[1];
-    const prt_real t6 = t4 * t4 - t5 * t5;
-    const prt_real t7 = turn[2];
-    const prt_real t8 = f[4];
-    const prt_real t9 = turn[4];
-    const prt_real t10 = turn[5];
-    const prt_real t11 = t9 * t9 - t10 * t10;
-    const prt_real t12 = f[8];
-    const prt_real t13 = t9 * t10;
-    const prt_real t14 = t13 + t13;
-    const prt_real t15 = t8 * t11 + t12 * t14;
-    const prt_real t16 = turn[3];
-    const prt_real t17 = f[5];
-    const prt_real t18 = f[7];
-    const prt_real t19 = t17 * t9 + t18 * t10;
-    const prt_real t20 = t7 * t15 + t16 * t19;
-    const prt_real t21 = t4 * t5;
-    const prt_real t22 = t21 + t21;
-    const prt_real t23 = f[6];
-    const prt_real t24 = t12 * t11 - t8 * t14;
-    const prt_real t25 = PRT__R(-0.5) * t23 + PRT__R(-0.866025403784438646764) * t24;
-    const prt_real t26 = t7 * t7 - t16 * t16;
-    const prt_real t27 = PRT__R(-0.866025403784438646764) * t23 + PRT__R(0.5) * t24;
-    const prt_real t28 = t7 * t16;
-    const prt_real t29 = t28 + t28;
-    const prt_real t30 = t18 * t9 - t17 * t10;
-    const prt_real t31 = t26 * t27 + t29 * t30;
-    const prt_real t32 = PRT__R(-0.866025403784438646764) * t25 + PRT__R(0.5) * t31;
-    out[4] = t6 * t20 + t22 * t32;
-    const prt_real t33 = t7 * t19 - t16 * t15;
-    const prt_real t34 = t26 * t30 - t29 * t27;
-    out[5] = t4 * t33 + t5 * t34;
-    out[6] = PRT__R(-0.5) * t25 + PRT__R(-0.866025403784438646764) * t31;
-    out[7] = t4 * t34 - t5 * t33;
-    out[8] = t6 * t32 - t22 * t20;
-    const prt_real t35 = t4 * t6 - t5 * t22;
-    const prt_real t36 = f[9];
-    const prt_real t37 = t9 * t11 - t10 * t14;
-    const prt_real t38 = f[15];
-    const prt_real t39 = t9 * t14 + t10 * t11;
-    const prt_real t40 = t36 * t37 + t38 * t39;
-    const prt_real t41 = f[11];
-    const prt_real t42 = f[13];
-    const prt_real t43 = t41 * t9 + t42 * t10;
-    const prt_real t44 = PRT__R(-0.790569415042094833) * t40 + PRT__R(-0.612372435695794524549) * t43;
-    const prt_real t45 = PRT__R(0.612372435695794524549) * t40 + PRT__R(-0.790569415042094833) * t43;
-    const prt_real t46 = f[10];
-    const prt_real t47 = f[14];
-    const prt_real t48 = t46 * t11 + t47 * t14;
-    const prt_real t49 = t26 * t45 + t29 * t48;
-    const prt_real t50 = PRT__R(-0.790569415042094833) * t44 + PRT__R(0.612372435695794524549) * t49;
-    const prt_real t51 = t4 * t22 + t5 * t6;
-    const prt_real t52 = t42 * t9 - t41 * t10;
-    const prt_real t53 = t38 * t37 - t36 * t39;
-    const prt_real t54 = PRT__R(-0.25) * t52 + PRT__R(-0.968245836551854221295) * t53;
-    const prt_real t55 = f[12];
-    const prt_real t56 = t47 * t11 - t46 * t14;
-    const prt_real t57 = PRT__R(-0.612372435695794524549) * t55 + PRT__R(-0.790569415042094833) * t56;
-    const prt_real t58 = t7 * t54 + t16 * t57;
-    const prt_real t59 = t7 * t26 - t16 * t29;
-    const prt_real t60 = PRT__R(-0.968245836551854221295) * t52 + PRT__R(0.25) * t53;
-    const prt_real t61 = t7 * t29 + t16 * t26;
-    const prt_real t62 = PRT__R(-0.790569415042094833) * t55 + PRT__R(0.612372435695794524549) * t56;
-    const prt_real t63 = t59 * t60 + t61 * t62;
-    const prt_real t64 = PRT__R(-0.968245836551854221295) * t58 + PRT__R(0.25) * t63;
-    out[9] = t35 * t50 + t51 * t64;
-    const prt_real t65 = t26 * t48 - t29 * t45;
-    const prt_real t66 = t59 * t62 - t61 * t60;
-    const prt_real t67 = t7 * t57 - t16 * t54;
-    const prt_real t68 = PRT__R(0.612372435695794524549) * t66 + PRT__R(-0.790569415042094833) * t67;
-    out[10] = t6 * t65 + t22 * t68;
-    const prt_real t69 = PRT__R(-0.612372435695794524549) * t44 + PRT__R(-0.790569415042094833) * t49;
-    const prt_real t70 = PRT__R(-0.25) * t58 + PRT__R(-0.968245836551854221295) * t63;
-    out[11] = t4 * t69 + t5 * t70;
-    out[12] = PRT__R(-0.790569415042094833) * t66 + PRT__R(-0.612372435695794524549) * t67;
-    out[13] = t4 * t70 - t5 * t69;
-    out[14] = t6 * t68 - t22 * t65;
-    out[15] = t35 * t64 - t51 * t50;
+PRT__STATIC void prt__sh_rotate_4(const prt_real *r, const double *turn, const prt_real *f, prt_real *PRT__RESTRICT out) {
+    out[0] = (prt_real)((double)f[0]);
+    const double t1 = (double)f[1];
+    const double t2 = (double)f[2];
+    const double t3 = (double)f[3];
+    out[1] = (prt_real)(((double)r[4] * t1 + (double)r[5] * t2) + (double)r[3] * t3);
+    out[2] = (prt_real)(((double)r[7] * t1 + (double)r[8] * t2) + (double)r[6] * t3);
+    out[3] = (prt_real)(((double)r[1] * t1 + (double)r[2] * t2) + (double)r[0] * t3);
+    const double t4 = turn[0];
+    const double t5 = turn[1];
+    const double t6 = t4 * t4 - t5 * t5;
+    const double t7 = turn[2];
+    const double t8 = (double)f[4];
+    const double t9 = turn[4];
+    const double t10 = turn[5];
+    const double t11 = t9 * t9 - t10 * t10;
+    const double t12 = (double)f[8];
+    const double t13 = t9 * t10;
+    const double t14 = t13 + t13;
+    const double t15 = t8 * t11 + t12 * t14;
+    const double t16 = turn[3];
+    const double t17 = (double)f[5];
+    const double t18 = (double)f[7];
+    const double t19 = t17 * t9 + t18 * t10;
+    const double t20 = t7 * t15 + t16 * t19;
+    const double t21 = t4 * t5;
+    const double t22 = t21 + t21;
+    const double t23 = (double)f[6];
+    const double t24 = t12 * t11 - t8 * t14;
+    const double t25 = -0.5 * t23 + -0.866025403784438646764 * t24;
+    const double t26 = t7 * t7 - t16 * t16;
+    const double t27 = -0.866025403784438646764 * t23 + 0.5 * t24;
+    const double t28 = t7 * t16;
+    const double t29 = t28 + t28;
+    const double t30 = t18 * t9 - t17 * t10;
+    const double t31 = t26 * t27 + t29 * t30;
+    const double t32 = -0.866025403784438646764 * t25 + 0.5 * t31;
+    out[4] = (prt_real)(t6 * t20 + t22 * t32);
+    const double t33 = t7 * t19 - t16 * t15;
+    const double t34 = t26 * t30 - t29 * t27;
+    out[5] = (prt_real)(t4 * t33 + t5 * t34);
+    out[6] = (prt_real)(-0.5 * t25 + -0.866025403784438646764 * t31);
+    out[7] = (prt_real)(t4 * t34 - t5 * t33);
+    out[8] = (prt_real)(t6 * t32 - t22 * t20);
+    const double t35 = t4 * t6 - t5 * t22;
+    const double t36 = (double)f[9];
+    const double t37 = t9 * t11 - t10 * t14;
+    const double t38 = (double)f[15];
+    const double t39 = t9 * t14 + t10 * t11;
+    const double t40 = t36 * t37 + t38 * t39;
+    const double t41 = (double)f[11];
+    const double t42 = (double)f[13];
+    const double t43 = t41 * t9 + t42 * t10;
+    const double t44 = -0.790569415042094833 * t40 + -0.612372435695794524549 * t43;
+    const double t45 = 0.612372435695794524549 * t40 + -0.790569415042094833 * t43;
+    const double t46 = (double)f[10];
+    const double t47 = (double)f[14];
+    const double t48 = t46 * t11 + t47 * t14;
+    const double t49 = t26 * t45 + t29 * t48;
+    const double t50 = -0.790569415042094833 * t44 + 0.612372435695794524549 * t49;
+    const double t51 = t4 * t22 + t5 * t6;
+    const double t52 = t42 * t9 - t41 * t10;
+    const double t53 = t38 * t37 - t36 * t39;
+    const double t54 = -0.25 * t52 + -0.968245836551854221295 * t53;
+    const double t55 = (double)f[12];
+    const double t56 = t47 * t11 - t46 * t14;
+    const double t57 = -0.612372435695794524549 * t55 + -0.790569415042094833 * t56;
+    const double t58 = t7 * t54 + t16 * t57;
+    const double t59 = t7 * t26 - t16 * t29;
+    const double t60 = -0.968245836551854221295 * t52 + 0.25 * t53;
+    const double t61 = t7 * t29 + t16 * t26;
+    const double t62 = -0.790569415042094833 * t55 + 0.612372435695794524549 * t56;
+    const double t63 = t59 * t60 + t61 * t62;
+    const double t64 = -0.968245836551854221295 * t58 + 0.25 * t63;
+    out[9] = (prt_real)(t35 * t50 + t51 * t64);
+    const double t65 = t26 * t48 - t29 * t45;
+    const double t66 = t59 * t62 - t61 * t60;
+    const double t67 = t7 * t57 - t16 * t54;
+    const double t68 = 0.612372435695794524549 * t66 + -0.790569415042094833 * t67;
+    out[10] = (prt_real)(t6 * t65 + t22 * t68);
+    const double t69 = -0.612372435695794524549 * t44 + -0.790569415042094833 * t49;
+    const double t70 = -0.25 * t58 + -0.968245836551854221295 * t63;
+    out[11] = (prt_real)(t4 * t69 + t5 * t70);
+    out[12] = (prt_real)(-0.790569415042094833 * t66 + -0.612372435695794524549 * t67);
+    out[13] = (prt_real)(t4 * t70 - t5 * t69);
+    out[14] = (prt_real)(t6 * t68 - t22 * t65);
+    out[15] = (prt_real)(t35 * t64 - t51 * t50);
 }
 
 /* rotation of one vector by r and by turn, cos and sin of a, b, g, 5 bands: 224 multiplications, 118 additions (115 can fuse), 40 loads, 25 stores */
-PRT__STATIC void prt__sh_rotate_5(const prt_real *r, const prt_real *turn, const prt_real *f, 
-    prt_real *PRT__RESTRICT out) {
-    out[0] = f[0];
-    const prt_real t1 = f[1];
-    const prt_real t2 = f[2];
-    const prt_real t3 = f[3];
-    out[1] = (r[4] * t1 + r[5] * t2) + r[3] * t3;
-    out[2] = (r[7] * t1 + r[8] * t2) + r[6] * t3;
-    out[3] = (r[1] * t1 + r[2] * t2) + r[0] * t3;
-    const prt_real t4 = turn[0];
-    const prt_real t5 = turn[1];
-    const prt_real t6 = t4 * t4 - t5 * t5;
-    const prt_real t7 = turn[2];
-    const prt_real t8 = f[4];
-    const prt_real t9 = turn[4];
-    const prt_real t10 = turn[5];
-    const prt_real t11 = t9 * t9 - t10 * t10;
-    const prt_real t12 = f[8];
-    const prt_real t13 = t9 * t10;
-    const prt_real t14 = t13 + t13;
-    const prt_real t15 = t8 * t11 + t12 * t14;
-    const prt_real t16 = turn[3];
-    const prt_real t17 = f[5];
-    const prt_real t18 = f[7];
-    const prt_real t19 = t17 * t9 + t18 * t10;
-    const prt_real t20 = t7 * t15 + t16 * t19;
-    const prt_real t21 = t4 * t5;
-    const prt_real t22 = t21 + t21;
-    const prt_real t23 = f[6];
-    const prt_real t24 = t12 * t11 - t8 * t14;
-    const prt_real t25 = PRT__R(-0.5) * t23 + PRT__R(-0.866025403784438646764) * t24;
-    const prt_real t26 = t7 * t7 - t16 * t16;
-    const prt_real t27 = PRT__R(-0.866025403784438646764) * t23 + PRT__R(0.5) * t24;
-    const prt_real t28 = t7 * t16;
-    const prt_real t29 = t28 + t28;
-    const prt_real t30 = t18 * t9 - t17 * t10;
-    const prt_real t31 = t26 * t27 + t29 * t30;
-    const prt_real t32 = PRT__R(-0.866025403784438646764) * t25 + PRT__R(0.5) * t31;
-    out[4] = t6 * t20 + t22 * t32;
-    const prt_real t33 = t7 * t19 - t16 * t15;
-    const prt_real t34 = t26 * t30 - t29 * t27;
-    out[5] = t4 * t33 + t5 * t34;
-    out[6] = PRT__R(-0.5) * t25 + PRT__R(-0.866025403784438646764) * t31;
-    out[7] = t4 * t34 - t5 * t33;
-    out[8] = t6 * t32 - t22 * t20;
-    const prt_real t35 = t4 * t6 - t5 * t22;
-    const prt_real t36 = f[9];
-    const prt_real t37 = t9 * t11 - t10 * t14;
-    const prt_real t38 = f[15];
-    const prt_real t39 = t9 * t14 + t10 * t11;
-    const prt_real t40 = t36 * t37 + t38 * t39;
-    const prt_real t41 = f[11];
-    const prt_real t42 = f[13];
-    const prt_real t43 = t41 * t9 + t42 * t10;
-    const prt_real t44 = PRT__R(-0.790569415042094833) * t40 + PRT__R(-0.612372435695794524549) * t43;
-    const prt_real t45 = PRT__R(0.612372435695794524549) * t40 + PRT__R(-0.790569415042094833) * t43;
-    const prt_real t46 = f[10];
-    const prt_real t47 = f[14];
-    const prt_real t48 = t46 * t11 + t47 * t14;
-    const prt_real t49 = t26 * t45 + t29 * t48;
-    const prt_real t50 = PRT__R(-0.790569415042094833) * t44 + PRT__R(0.612372435695794524549) * t49;
-    const prt_real t51 = t4 * t22 + t5 * t6;
-    const prt_real t52 = t42 * t9 - t41 * t10;
-    const prt_real t53 = t38 * t37 - t36 * t39;
-    const prt_real t54 = PRT__R(-0.25) * t52 + PRT__R(-0.968245836551854221295) * t53;
-    const prt_real t55 = f[12];
-    const prt_real t56 = t47 * t11 - t46 * t14;
-    const prt_real t57 = PRT__R(-0.612372435695794524549) * t55 + PRT__R(-0.790569415042094833) * t56;
-    const prt_real t58 = t7 * t54 + t16 * t57;
-    const prt_real t59 = t7 * t26 - t16 * t29;
-    const prt_real t60 = PRT__R(-0.968245836551854221295) * t52 + PRT__R(0.25) * t53;
-    const prt_real t61 = t7 * t29 + t16 * t26;
-    const prt_real t62 = PRT__R(-0.790569415042094833) * t55 + PRT__R(0.612372435695794524549) * t56;
-    const prt_real t63 = t59 * t60 + t61 * t62;
-    const prt_real t64 = PRT__R(-0.968245836551854221295) * t58 + PRT__R(0.25) * t63;
-    out[9] = t35 * t50 + t51 * t64;
-    const prt_real t65 = t26 * t48 - t29 * t45;
-    const prt_real t66 = t59 * t62 - t61 * t60;
-    const prt_real t67 = t7 * t57 - t16 * t54;
-    const prt_real t68 = PRT__R(0.612372435695794524549) * t66 + PRT__R(-0.790569415042094833) * t67;
-    out[10] = t6 * t65 + t22 * t68;
-    const prt_real t69 = PRT__R(-0.612372435695794524549) * t44 + PRT__R(-0.790569415042094833) * t49;
-    const prt_real t70 = PRT__R(-0.25) * t58 + PRT__R(-0.968245836551854221295) * t63;
-    out[11] = t4 * t69 + t5 * t70;
-    out[12] = PRT__R(-0.790569415042094833) * t66 + PRT__R(-0.612372435695794524549) * t67;
-    out[13] = t4 * t70 - t5 * t69;
-    out[14] = t6 * t68 - t22 * t65;
-    out[15] = t35 * t64 - t51 * t50;
-    const prt_real t71 = t4 * t35 - t5 * t51;
-    const prt_real t72 = f[16];
-    const prt_real t73 = t9 * t37 - t10 * t39;
-    const prt_real t74 = f[24];
-    const prt_real t75 = t9 * t39 + t10 * t37;
-    const prt_real t76 = t72 * t73 + t74 * t75;
-    const prt_real t77 = f[18];
-    const prt_real t78 = f[22];
-    const prt_real t79 = t77 * t11 + t78 * t14;
-    const prt_real t80 = PRT__R(-0.935414346693485346396) * t76 + PRT__R(-0.3535533905932737622) * t79;
-    const prt_real t81 = f[17];
-    const prt_real t82 = f[23];
-    const prt_real t83 = t81 * t37 + t82 * t39;
-    const prt_real t84 = f[19];
-    const prt_real t85 = f[21];
-    const prt_real t86 = t84 * t9 + t85 * t10;
-    const prt_real t87 = PRT__R(-0.661437827766147647625) * t83 + PRT__R(-0.75) * t86;
-    const prt_real t88 = t7 * t80 + t16 * t87;
-    const prt_real t89 = PRT__R(0.3535533905932737622) * t76 + PRT__R(-0.935414346693485346396) * t79;
-    const prt_real t90 = PRT__R(0.75) * t83 + PRT__R(-0.661437827766147647625) * t86;
-    const prt_real t91 = t59 * t89 + t61 * t90;
-    const prt_real t92 = PRT__R(-0.935414346693485346396) * t88 + PRT__R(0.3535533905932737622) * t91;
-    const prt_real t93 = t4 * t51 + t5 * t35;
-    const prt_real t94 = f[20];
-    const prt_real t95 = t78 * t11 - t77 * t14;
-    const prt_real t96 = PRT__R(0.375) * t94 + PRT__R(0.559016994374947424102) * t95;
-    const prt_real t97 = t74 * t73 - t72 * t75;
-    const prt_real t98 = t96 + PRT__R(0.739509972887452005321) * t97;
-    const prt_real t99 = (PRT__R(0.559016994374947424102) * t94 + PRT__R(0.5) * t95) + PRT__R(-0.661437827766147647625) * t97;
-    const prt_real t100 = t85 * t9 - t84 * t10;
-    const prt_real t101 = t82 * t37 - t81 * t39;
-    const prt_real t102 = PRT__R(-0.3535533905932737622) * t100 + PRT__R(-0.935414346693485346396) * t101;
-    const prt_real t103 = t26 * t99 + t29 * t102;
-    const prt_real t104 = PRT__R(0.739509972887452005321) * t98 + PRT__R(-0.661437827766147647625) * t103;
-    const prt_real t105 = t7 * t59 - t16 * t61;
-    const prt_real t106 = PRT__R(0.739509972887452005321) * t94 + PRT__R(-0.661437827766147647625) * t95;
-    const prt_real t107 = t106 + PRT__R(0.125) * t97;
-    const prt_real t108 = t7 * t61 + t16 * t59;
-    const prt_real t109 = PRT__R(-0.935414346693485346396) * t100 + PRT__R(0.3535533905932737622) * t101;
-    const prt_real t110 = t105 * t107 + t108 * t109;
-    const prt_real t111 = t104 + PRT__R(0.125) * t110;
-    out[16] = t71 * t92 + t93 * t111;
-    const prt_real t112 = t59 * t90 - t61 * t89;
-    const prt_real t113 = t7 * t87 - t16 * t80;
-    const prt_real t114 = PRT__R(0.75) * t112 + PRT__R(-0.661437827766147647625) * t113;
-    const prt_real t115 = t105 * t109 - t108 * t107;
-    const prt_real t116 = t26 * t102 - t29 * t99;
-    const prt_real t117 = PRT__R(0.3535533905932737622) * t115 + PRT__R(-0.935414346693485346396) * t116;
-    out[17] = t35 * t114 + t51 * t117;
-    const prt_real t118 = PRT__R(-0.3535533905932737622) * t88 + PRT__R(-0.935414346693485346396) * t91;
-    const prt_real t119 = (PRT__R(0.559016994374947424102) * t98 + PRT__R(0.5) * t103) + PRT__R(-0.661437827766147647625) * t110;
-    out[18] = t6 * t118 + t22 * t119;
-    const prt_real t120 = PRT__R(-0.661437827766147647625) * t112 + PRT__R(-0.75) * t113;
-    const prt_real t121 = PRT__R(-0.935414346693485346396) * t115 + PRT__R(-0.3535533905932737622) * t116;
-    out[19] = t4 * t120 + t5 * t121;
-    const prt_real t122 = PRT__R(0.375) * t98 + PRT__R(0.559016994374947424102) * t103;
-    out[20] = t122 + PRT__R(0.739509972887452005321) * t110;
-    out[21] = t4 * t121 - t5 * t120;
-    out[22] = t6 * t119 - t22 * t118;
-    out[23] = t35 * t117 - t51 * t114;
-    out[24] = t71 * t111 - t93 * t92;
+PRT__STATIC void prt__sh_rotate_5(const prt_real *r, const double *turn, const prt_real *f, prt_real *PRT__RESTRICT out) {
+    out[0] = (prt_real)((double)f[0]);
+    const double t1 = (double)f[1];
+    const double t2 = (double)f[2];
+    const double t3 = (double)f[3];
+    out[1] = (prt_real)(((double)r[4] * t1 + (double)r[5] * t2) + (double)r[3] * t3);
+    out[2] = (prt_real)(((double)r[7] * t1 + (double)r[8] * t2) + (double)r[6] * t3);
+    out[3] = (prt_real)(((double)r[1] * t1 + (double)r[2] * t2) + (double)r[0] * t3);
+    const double t4 = turn[0];
+    const double t5 = turn[1];
+    const double t6 = t4 * t4 - t5 * t5;
+    const double t7 = turn[2];
+    const double t8 = (double)f[4];
+    const double t9 = turn[4];
+    const double t10 = turn[5];
+    const double t11 = t9 * t9 - t10 * t10;
+    const double t12 = (double)f[8];
+    const double t13 = t9 * t10;
+    const double t14 = t13 + t13;
+    const double t15 = t8 * t11 + t12 * t14;
+    const double t16 = turn[3];
+    const double t17 = (double)f[5];
+    const double t18 = (double)f[7];
+    const double t19 = t17 * t9 + t18 * t10;
+    const double t20 = t7 * t15 + t16 * t19;
+    const double t21 = t4 * t5;
+    const double t22 = t21 + t21;
+    const double t23 = (double)f[6];
+    const double t24 = t12 * t11 - t8 * t14;
+    const double t25 = -0.5 * t23 + -0.866025403784438646764 * t24;
+    const double t26 = t7 * t7 - t16 * t16;
+    const double t27 = -0.866025403784438646764 * t23 + 0.5 * t24;
+    const double t28 = t7 * t16;
+    const double t29 = t28 + t28;
+    const double t30 = t18 * t9 - t17 * t10;
+    const double t31 = t26 * t27 + t29 * t30;
+    const double t32 = -0.866025403784438646764 * t25 + 0.5 * t31;
+    out[4] = (prt_real)(t6 * t20 + t22 * t32);
+    const double t33 = t7 * t19 - t16 * t15;
+    const double t34 = t26 * t30 - t29 * t27;
+    out[5] = (prt_real)(t4 * t33 + t5 * t34);
+    out[6] = (prt_real)(-0.5 * t25 + -0.866025403784438646764 * t31);
+    out[7] = (prt_real)(t4 * t34 - t5 * t33);
+    out[8] = (prt_real)(t6 * t32 - t22 * t20);
+    const double t35 = t4 * t6 - t5 * t22;
+    const double t36 = (double)f[9];
+    const double t37 = t9 * t11 - t10 * t14;
+    const double t38 = (double)f[15];
+    const double t39 = t9 * t14 + t10 * t11;
+    const double t40 = t36 * t37 + t38 * t39;
+    const double t41 = (double)f[11];
+    const double t42 = (double)f[13];
+    const double t43 = t41 * t9 + t42 * t10;
+    const double t44 = -0.790569415042094833 * t40 + -0.612372435695794524549 * t43;
+    const double t45 = 0.612372435695794524549 * t40 + -0.790569415042094833 * t43;
+    const double t46 = (double)f[10];
+    const double t47 = (double)f[14];
+    const double t48 = t46 * t11 + t47 * t14;
+    const double t49 = t26 * t45 + t29 * t48;
+    const double t50 = -0.790569415042094833 * t44 + 0.612372435695794524549 * t49;
+    const double t51 = t4 * t22 + t5 * t6;
+    const double t52 = t42 * t9 - t41 * t10;
+    const double t53 = t38 * t37 - t36 * t39;
+    const double t54 = -0.25 * t52 + -0.968245836551854221295 * t53;
+    const double t55 = (double)f[12];
+    const double t56 = t47 * t11 - t46 * t14;
+    const double t57 = -0.612372435695794524549 * t55 + -0.790569415042094833 * t56;
+    const double t58 = t7 * t54 + t16 * t57;
+    const double t59 = t7 * t26 - t16 * t29;
+    const double t60 = -0.968245836551854221295 * t52 + 0.25 * t53;
+    const double t61 = t7 * t29 + t16 * t26;
+    const double t62 = -0.790569415042094833 * t55 + 0.612372435695794524549 * t56;
+    const double t63 = t59 * t60 + t61 * t62;
+    const double t64 = -0.968245836551854221295 * t58 + 0.25 * t63;
+    out[9] = (prt_real)(t35 * t50 + t51 * t64);
+    const double t65 = t26 * t48 - t29 * t45;
+    const double t66 = t59 * t62 - t61 * t60;
+    const double t67 = t7 * t57 - t16 * t54;
+    const double t68 = 0.612372435695794524549 * t66 + -0.790569415042094833 * t67;
+    out[10] = (prt_real)(t6 * t65 + t22 * t68);
+    const double t69 = -0.612372435695794524549 * t44 + -0.790569415042094833 * t49;
+    const double t70 = -0.25 * t58 + -0.968245836551854221295 * t63;
+    out[11] = (prt_real)(t4 * t69 + t5 * t70);
+    out[12] = (prt_real)(-0.790569415042094833 * t66 + -0.612372435695794524549 * t67);
+    out[13] = (prt_real)(t4 * t70 - t5 * t69);
+    out[14] = (prt_real)(t6 * t68 - t22 * t65);
+    out[15] = (prt_real)(t35 * t64 - t51 * t50);
+    const double t71 = t4 * t35 - t5 * t51;
+    const double t72 = (double)f[16];
+    const double t73 = t9 * t37 - t10 * t39;
+    const double t74 = (double)f[24];
+    const double t75 = t9 * t39 + t10 * t37;
+    const double t76 = t72 * t73 + t74 * t75;
+    const double t77 = (double)f[18];
+    const double t78 = (double)f[22];
+    const double t79 = t77 * t11 + t78 * t14;
+    const double t80 = -0.935414346693485346396 * t76 + -0.3535533905932737622 * t79;
+    const double t81 = (double)f[17];
+    const double t82 = (double)f[23];
+    const double t83 = t81 * t37 + t82 * t39;
+    const double t84 = (double)f[19];
+    const double t85 = (double)f[21];
+    const double t86 = t84 * t9 + t85 * t10;
+    const double t87 = -0.661437827766147647625 * t83 + -0.75 * t86;
+    const double t88 = t7 * t80 + t16 * t87;
+    const double t89 = 0.3535533905932737622 * t76 + -0.935414346693485346396 * t79;
+    const double t90 = 0.75 * t83 + -0.661437827766147647625 * t86;
+    const double t91 = t59 * t89 + t61 * t90;
+    const double t92 = -0.935414346693485346396 * t88 + 0.3535533905932737622 * t91;
+    const double t93 = t4 * t51 + t5 * t35;
+    const double t94 = (double)f[20];
+    const double t95 = t78 * t11 - t77 * t14;
+    const double t96 = t74 * t73 - t72 * t75;
+    const double t97 = (0.375 * t94 + 0.559016994374947424102 * t95) + 0.739509972887452005321 * t96;
+    const double t98 = (0.559016994374947424102 * t94 + 0.5 * t95) + -0.661437827766147647625 * t96;
+    const double t99 = t85 * t9 - t84 * t10;
+    const double t100 = t82 * t37 - t81 * t39;
+    const double t101 = -0.3535533905932737622 * t99 + -0.935414346693485346396 * t100;
+    const double t102 = t26 * t98 + t29 * t101;
+    const double t103 = 0.739509972887452005321 * t97 + -0.661437827766147647625 * t102;
+    const double t104 = t7 * t59 - t16 * t61;
+    const double t105 = 0.739509972887452005321 * t94 + -0.661437827766147647625 * t95;
+    const double t106 = t105 + 0.125 * t96;
+    const double t107 = t7 * t61 + t16 * t59;
+    const double t108 = -0.935414346693485346396 * t99 + 0.3535533905932737622 * t100;
+    const double t109 = t104 * t106 + t107 * t108;
+    const double t110 = t103 + 0.125 * t109;
+    out[16] = (prt_real)(t71 * t92 + t93 * t110);
+    const double t111 = t59 * t90 - t61 * t89;
+    const double t112 = t7 * t87 - t16 * t80;
+    const double t113 = 0.75 * t111 + -0.661437827766147647625 * t112;
+    const double t114 = t104 * t108 - t107 * t106;
+    const double t115 = t26 * t101 - t29 * t98;
+    const double t116 = 0.3535533905932737622 * t114 + -0.935414346693485346396 * t115;
+    out[17] = (prt_real)(t35 * t113 + t51 * t116);
+    const double t117 = -0.3535533905932737622 * t88 + -0.935414346693485346396 * t91;
+    const double t118 = (0.559016994374947424102 * t97 + 0.5 * t102) + -0.661437827766147647625 * t109;
+    out[18] = (prt_real)(t6 * t117 + t22 * t118);
+    const double t119 = -0.661437827766147647625 * t111 + -0.75 * t112;
+    const double t120 = -0.935414346693485346396 * t114 + -0.3535533905932737622 * t115;
+    out[19] = (prt_real)(t4 * t119 + t5 * t120);
+    out[20] = (prt_real)((0.375 * t97 + 0.559016994374947424102 * t102) + 0.739509972887452005321 * t109);
+    out[21] = (prt_real)(t4 * t120 - t5 * t119);
+    out[22] = (prt_real)(t6 * t118 - t22 * t117);
+    out[23] = (prt_real)(t35 * t116 - t51 * t113);
+    out[24] = (prt_real)(t71 * t110 - t93 * t92);
 }
 
 /* rotation of one vector by r and by turn, cos and sin of a, b, g, 6 bands: 358 multiplications, 194 additions (191 can fuse), 51 loads, 36 stores */
-PRT__STATIC void prt__sh_rotate_6(const prt_real *r, const prt_real *turn, const prt_real *f, 
-    prt_real *PRT__RESTRICT out) {
-    out[0] = f[0];
-    const prt_real t1 = f[1];
-    const prt_real t2 = f[2];
-    const prt_real t3 = f[3];
-    out[1] = (r[4] * t1 + r[5] * t2) + r[3] * t3;
-    out[2] = (r[7] * t1 + r[8] * t2) + r[6] * t3;
-    out[3] = (r[1] * t1 + r[2] * t2) + r[0] * t3;
-    const prt_real t4 = turn[0];
-    const prt_real t5 = turn[1];
-    const prt_real t6 = t4 * t4 - t5 * t5;
-    const prt_real t7 = turn[2];
-    const prt_real t8 = f[4];
-    const prt_real t9 = turn[4];
-    const prt_real t10 = turn[5];
-    const prt_real t11 = t9 * t9 - t10 * t10;
-    const prt_real t12 = f[8];
-    const prt_real t13 = t9 * t10;
-    const prt_real t14 = t13 + t13;
-    const prt_real t15 = t8 * t11 + t12 * t14;
-    const prt_real t16 = turn[3];
-    const prt_real t17 = f[5];
-    const prt_real t18 = f[7];
-    const prt_real t19 = t17 * t9 + t18 * t10;
-    const prt_real t20 = t7 * t15 + t16 * t19;
-    const prt_real t21 = t4 * t5;
-    const prt_real t22 = t21 + t21;
-    const prt_real t23 = f[6];
-    const prt_real t24 = t12 * t11 - t8 * t14;
-    const prt_real t25 = PRT__R(-0.5) * t23 + PRT__R(-0.866025403784438646764) * t24;
-    const prt_real t26 = t7 * t7 - t16 * t16;
-    const prt_real t27 = PRT__R(-0.866025403784438646764) * t23 + PRT__R(0.5) * t24;
-    const prt_real t28 = t7 * t16;
-    const prt_real t29 = t28 + t28;
-    const prt_real t30 = t18 * t9 - t17 * t10;
-    const prt_real t31 = t26 * t27 + t29 * t30;
-    const prt_real t32 = PRT__R(-0.866025403784438646764) * t25 + PRT__R(0.5) * t31;
-    out[4] = t6 * t20 + t22 * t32;
-    const prt_real t33 = t7 * t19 - t16 * t15;
-    const prt_real t34 = t26 * t30 - t29 * t27;
-    out[5] = t4 * t33 + t5 * t34;
-    out[6] = PRT__R(-0.5) * t25 + PRT__R(-0.866025403784438646764) * t31;
-    out[7] = t4 * t34 - t5 * t33;
-    out[8] = t6 * t32 - t22 * t20;
-    const prt_real t35 = t4 * t6 - t5 * t22;
-    const prt_real t36 = f[9];
-    const prt_real t37 = t9 * t11 - t10 * t14;
-    const prt_real t38 = f[15];
-    const prt_real t39 = t9 * t14 + t10 * t11;
-    const prt_real t40 = t36 * t37 + t38 * t39;
-    const prt_real t41 = f[11];
-    const prt_real t42 = f[13];
-    const prt_real t43 = t41 * t9 + t42 * t10;
-    const prt_real t44 = PRT__R(-0.790569415042094833) * t40 + PRT__R(-0.612372435695794524549) * t43;
-    const prt_real t45 = PRT__R(0.612372435695794524549) * t40 + PRT__R(-0.790569415042094833) * t43;
-    const prt_real t46 = f[10];
-    const prt_real t47 = f[14];
-    const prt_real t48 = t46 * t11 + t47 * t14;
-    const prt_real t49 = t26 * t45 + t29 * t48;
-    const prt_real t50 = PRT__R(-0.790569415042094833) * t44 + PRT__R(0.612372435695794524549) * t49;
-    const prt_real t51 = t4 * t22 + t5 * t6;
-    const prt_real t52 = t42 * t9 - t41 * t10;
-    const prt_real t53 = t38 * t37 - t36 * t39;
-    const prt_real t54 = PRT__R(-0.25) * t52 + PRT__R(-0.968245836551854221295) * t53;
-    const prt_real t55 = f[12];
-    const prt_real t56 = t47 * t11 - t46 * t14;
-    const prt_real t57 = PRT__R(-0.612372435695794524549) * t55 + PRT__R(-0.790569415042094833) * t56;
-    const prt_real t58 = t7 * t54 + t16 * t57;
-    const prt_real t59 = t7 * t26 - t16 * t29;
-    const prt_real t60 = PRT__R(-0.968245836551854221295) * t52 + PRT__R(0.25) * t53;
-    const prt_real t61 = t7 * t29 + t16 * t26;
-    const prt_real t62 = PRT__R(-0.790569415042094833) * t55 + PRT__R(0.612372435695794524549) * t56;
-    const prt_real t63 = t59 * t60 + t61 * t62;
-    const prt_real t64 = PRT__R(-0.968245836551854221295) * t58 + PRT__R(0.25) * t63;
-    out[9] = t35 * t50 + t51 * t64;
-    const prt_real t65 = t26 * t48 - t29 * t45;
-    const prt_real t66 = t59 * t62 - t61 * t60;
-    const prt_real t67 = t7 * t57 - t16 * t54;
-    const prt_real t68 = PRT__R(0.612372435695794524549) * t66 + PRT__R(-0.790569415042094833) * t67;
-    out[10] = t6 * t65 + t22 * t68;
-    const prt_real t69 = PRT__R(-0.612372435695794524549) * t44 + PRT__R(-0.790569415042094833) * t49;
-    const prt_real t70 = PRT__R(-0.25) * t58 + PRT__R(-0.968245836551854221295) * t63;
-    out[11] = t4 * t69 + t5 * t70;
-    out[12] = PRT__R(-0.790569415042094833) * t66 + PRT__R(-0.612372435695794524549) * t67;
-    out[13] = t4 * t70 - t5 * t69;
-    out[14] = t6 * t68 - t22 * t65;
-    out[15] = t35 * t64 - t51 * t50;
-    const prt_real t71 = t4 * t35 - t5 * t51;
-    const prt_real t72 = f[16];
-    const prt_real t73 = t9 * t37 - t10 * t39;
-    const prt_real t74 = f[24];
-    const prt_real t75 = t9 * t39 + t10 * t37;
-    const prt_real t76 = t72 * t73 + t74 * t75;
-    const prt_real t77 = f[18];
-    const prt_real t78 = f[22];
-    const prt_real t79 = t77 * t11 + t78 * t14;
-    const prt_real t80 = PRT__R(-0.935414346693485346396) * t76 + PRT__R(-0.3535533905932737622) * t79;
-    const prt_real t81 = f[17];
-    const prt_real t82 = f[23];
-    const prt_real t83 = t81 * t37 + t82 * t39;
-    const prt_real t84 = f[19];
-    const prt_real t85 = f[21];
-    const prt_real t86 = t84 * t9 + t85 * t10;
-    const prt_real t87 = PRT__R(-0.661437827766147647625) * t83 + PRT__R(-0.75) * t86;
-    const prt_real t88 = t7 * t80 + t16 * t87;
-    const prt_real t89 = PRT__R(0.3535533905932737622) * t76 + PRT__R(-0.935414346693485346396) * t79;
-    const prt_real t90 = PRT__R(0.75) * t83 + PRT__R(-0.661437827766147647625) * t86;
-    const prt_real t91 = t59 * t89 + t61 * t90;
-    const prt_real t92 = PRT__R(-0.935414346693485346396) * t88 + PRT__R(0.3535533905932737622) * t91;
-    const prt_real t93 = t4 * t51 + t5 * t35;
-    const prt_real t94 = f[20];
-    const prt_real t95 = t78 * t11 - t77 * t14;
-    const prt_real t96 = PRT__R(0.375) * t94 + PRT__R(0.559016994374947424102) * t95;
-    const prt_real t97 = t74 * t73 - t72 * t75;
-    const prt_real t98 = t96 + PRT__R(0.739509972887452005321) * t97;
-    const prt_real t99 = (PRT__R(0.559016994374947424102) * t94 + PRT__R(0.5) * t95) + PRT__R(-0.661437827766147647625) * t97;
-    const prt_real t100 = t85 * t9 - t84 * t10;
-    const prt_real t101 = t82 * t37 - t81 * t39;
-    const prt_real t102 = PRT__R(-0.3535533905932737622) * t100 + PRT__R(-0.935414346693485346396) * t101;
-    const prt_real t103 = t26 * t99 + t29 * t102;
-    const prt_real t104 = PRT__R(0.739509972887452005321) * t98 + PRT__R(-0.661437827766147647625) * t103;
-    const prt_real t105 = t7 * t59 - t16 * t61;
-    const prt_real t106 = PRT__R(0.739509972887452005321) * t94 + PRT__R(-0.661437827766147647625) * t95;
-    const prt_real t107 = t106 + PRT__R(0.125) * t97;
-    const prt_real t108 = t7 * t61 + t16 * t59;
-    const prt_real t109 = PRT__R(-0.935414346693485346396) * t100 + PRT__R(0.3535533905932737622) * t101;
-    const prt_real t110 = t105 * t107 + t108 * t109;
-    const prt_real t111 = t104 + PRT__R(0.125) * t110;
-    out[16] = t71 * t92 + t93 * t111;
-    const prt_real t112 = t59 * t90 - t61 * t89;
-    const prt_real t113 = t7 * t87 - t16 * t80;
-    const prt_real t114 = PRT__R(0.75) * t112 + PRT__R(-0.661437827766147647625) * t113;
-    const prt_real t115 = t105 * t109 - t108 * t107;
-    const prt_real t116 = t26 * t102 - t29 * t99;
-    const prt_real t117 = PRT__R(0.3535533905932737622) * t115 + PRT__R(-0.935414346693485346396) * t116;
-    out[17] = t35 * t114 + t51 * t117;
-    const prt_real t118 = PRT__R(-0.3535533905932737622) * t88 + PRT__R(-0.935414346693485346396) * t91;
-    const prt_real t119 = (PRT__R(0.559016994374947424102) * t98 + PRT__R(0.5) * t103) + PRT__R(-0.661437827766147647625) * t110;
-    out[18] = t6 * t118 + t22 * t119;
-    const prt_real t120 = PRT__R(-0.661437827766147647625) * t112 + PRT__R(-0.75) * t113;
-    const prt_real t121 = PRT__R(-0.935414346693485346396) * t115 + PRT__R(-0.3535533905932737622) * t116;
-    out[19] = t4 * t120 + t5 * t121;
-    const prt_real t122 = PRT__R(0.375) * t98 + PRT__R(0.559016994374947424102) * t103;
-    out[20] = t122 + PRT__R(0.739509972887452005321) * t110;
-    out[21] = t4 * t121 - t5 * t120;
-    out[22] = t6 * t119 - t22 * t118;
-    out[23] = t35 * t117 - t51 * t114;
-    out[24] = t71 * t111 - t93 * t92;
-    const prt_real t123 = t4 * t71 - t5 * t93;
-    const prt_real t124 = f[25];
-    const prt_real t125 = t9 * t73 - t10 * t75;
-    const prt_real t126 = f[35];
-    const prt_real t127 = t9 * t75 + t10 * t73;
-    const prt_real t128 = t124 * t125 + t126 * t127;
-    const prt_real t129 = f[27];
-    const prt_real t130 = f[33];
-    const prt_real t131 = t129 * t37 + t130 * t39;
-    const prt_real t132 = PRT__R(0.701560760020114009797) * t128 + PRT__R(0.522912516583797217486) * t131;
-    const prt_real t133 = f[29];
-    const prt_real t134 = f[31];
-    const prt_real t135 = t133 * t9 + t134 * t10;
-    const prt_real t136 = t132 + PRT__R(0.484122918275927110647) * t135;
-    const prt_real t137 = PRT__R(-0.684653196881457641821) * t128 + PRT__R(0.306186217847897262275) * t131;
-    const prt_real t138 = t137 + PRT__R(0.661437827766147647625) * t135;
-    const prt_real t139 = f[26];
-    const prt_real t140 = f[34];
-    const prt_real t141 = t139 * t73 + t140 * t75;
-    const prt_real t142 = f[28];
-    const prt_real t143 = f[32];
-    const prt_real t144 = t142 * t11 + t143 * t14;
-    const prt_real t145 = PRT__R(-0.866025403784438646764) * t141 + PRT__R(-0.5) * t144;
-    const prt_real t146 = t26 * t138 + t29 * t145;
-    const prt_real t147 = PRT__R(0.701560760020114009797) * t136 + PRT__R(-0.684653196881457641821) * t146;
-    const prt_real t148 = PRT__R(0.19764235376052370825) * t128 + PRT__R(-0.795495128834865964951) * t131;
-    const prt_real t149 = t148 + PRT__R(0.572821961869480000824) * t135;
-    const prt_real t150 = PRT__R(0.5) * t141 + PRT__R(-0.866025403784438646764) * t144;
-    const prt_real t151 = t105 * t149 + t108 * t150;
-    const prt_real t152 = t147 + PRT__R(0.19764235376052370825) * t151;
-    const prt_real t153 = t4 * t93 + t5 * t71;
-    const prt_real t154 = t134 * t9 - t133 * t10;
-    const prt_real t155 = t130 * t37 - t129 * t39;
-    const prt_real t156 = PRT__R(0.125) * t154 + PRT__R(0.405046293650491264435) * t155;
-    const prt_real t157 = t126 * t125 - t124 * t127;
-    const prt_real t158 = t156 + PRT__R(0.905711046636839910857) * t157;
-    const prt_real t159 = f[30];
-    const prt_real t160 = t143 * t11 - t142 * t14;
-    const prt_real t161 = PRT__R(0.484122918275927110647) * t159 + PRT__R(0.661437827766147647625) * t160;
-    const prt_real t162 = t140 * t73 - t139 * t75;
-    const prt_real t163 = t161 + PRT__R(0.572821961869480000824) * t162;
-    const prt_real t164 = t7 * t158 + t16 * t163;
-    const prt_real t165 = PRT__R(0.405046293650491264435) * t154 + PRT__R(0.8125) * t155;
-    const prt_real t166 = t165 + PRT__R(-0.419262745781210568077) * t157;
-    const prt_real t167 = PRT__R(0.522912516583797217486) * t159 + PRT__R(0.306186217847897262275) * t160;
-    const prt_real t168 = t167 + PRT__R(-0.795495128834865964951) * t162;
-    const prt_real t169 = t59 * t166 + t61 * t168;
-    const prt_real t170 = PRT__R(0.905711046636839910857) * t164 + PRT__R(-0.419262745781210568077) * t169;
-    const prt_real t171 = t7 * t105 - t16 * t108;
-    const prt_real t172 = PRT__R(0.905711046636839910857) * t154 + PRT__R(-0.419262745781210568077) * t155;
-    const prt_real t173 = t172 + PRT__R(0.0625) * t157;
-    const prt_real t174 = t7 * t108 + t16 * t105;
-    const prt_real t175 = PRT__R(0.701560760020114009797) * t159 + PRT__R(-0.684653196881457641821) * t160;
-    const prt_real t176 = t175 + PRT__R(0.19764235376052370825) * t162;
-    const prt_real t177 = t171 * t173 + t174 * t176;
-    const prt_real t178 = t170 + PRT__R(0.0625) * t177;
-    out[25] = t123 * t152 + t153 * t178;
-    const prt_real t179 = t105 * t150 - t108 * t149;
-    const prt_real t180 = t26 * t145 - t29 * t138;
-    const prt_real t181 = PRT__R(0.5) * t179 + PRT__R(-0.866025403784438646764) * t180;
-    const prt_real t182 = t171 * t176 - t174 * t173;
-    const prt_real t183 = t59 * t168 - t61 * t166;
-    const prt_real t184 = PRT__R(0.19764235376052370825) * t182 + PRT__R(-0.795495128834865964951) * t183;
-    const prt_real t185 = t7 * t163 - t16 * t158;
-    const prt_real t186 = t184 + PRT__R(0.572821961869480000824) * t185;
-    out[26] = t71 * t181 + t93 * t186;
-    const prt_real t187 = PRT__R(0.522912516583797217486) * t136 + PRT__R(0.306186217847897262275) * t146;
-    const prt_real t188 = t187 + PRT__R(-0.795495128834865964951) * t151;
-    const prt_real t189 = PRT__R(0.405046293650491264435) * t164 + PRT__R(0.8125) * t169;
-    const prt_real t190 = t189 + PRT__R(-0.419262745781210568077) * t177;
-    out[27] = t35 * t188 + t51 * t190;
-    const prt_real t191 = PRT__R(-0.866025403784438646764) * t179 + PRT__R(-0.5) * t180;
-    const prt_real t192 = PRT__R(-0.684653196881457641821) * t182 + PRT__R(0.306186217847897262275) * t183;
-    const prt_real t193 = t192 + PRT__R(0.661437827766147647625) * t185;
-    out[28] = t6 * t191 + t22 * t193;
-    const prt_real t194 = PRT__R(0.484122918275927110647) * t136 + PRT__R(0.661437827766147647625) * t146;
-    const prt_real t195 = t194 + PRT__R(0.572821961869480000824) * t151;
-    const prt_real t196 = PRT__R(0.125) * t164 + PRT__R(0.405046293650491264435) * t169;
-    const prt_real t197 = t196 + PRT__R(0.905711046636839910857) * t177;
-    out[29] = t4 * t195 + t5 * t197;
-    const prt_real t198 = PRT__R(0.701560760020114009797) * t182 + PRT__R(0.522912516583797217486) * t183;
-    out[30] = t198 + PRT__R(0.484122918275927110647) * t185;
-    out[31] = t4 * t197 - t5 * t195;
-    out[32] = t6 * t193 - t22 * t191;
-    out[33] = t35 * t190 - t51 * t188;
-    out[34] = t71 * t186 - t93 * t181;
-    out[35] = t123 * t178 - t153 * t152;
+PRT__STATIC void prt__sh_rotate_6(const prt_real *r, const double *turn, const prt_real *f, prt_real *PRT__RESTRICT out) {
+    out[0] = (prt_real)((double)f[0]);
+    const double t1 = (double)f[1];
+    const double t2 = (double)f[2];
+    const double t3 = (double)f[3];
+    out[1] = (prt_real)(((double)r[4] * t1 + (double)r[5] * t2) + (double)r[3] * t3);
+    out[2] = (prt_real)(((double)r[7] * t1 + (double)r[8] * t2) + (double)r[6] * t3);
+    out[3] = (prt_real)(((double)r[1] * t1 + (double)r[2] * t2) + (double)r[0] * t3);
+    const double t4 = turn[0];
+    const double t5 = turn[1];
+    const double t6 = t4 * t4 - t5 * t5;
+    const double t7 = turn[2];
+    const double t8 = (double)f[4];
+    const double t9 = turn[4];
+    const double t10 = turn[5];
+    const double t11 = t9 * t9 - t10 * t10;
+    const double t12 = (double)f[8];
+    const double t13 = t9 * t10;
+    const double t14 = t13 + t13;
+    const double t15 = t8 * t11 + t12 * t14;
+    const double t16 = turn[3];
+    const double t17 = (double)f[5];
+    const double t18 = (double)f[7];
+    const double t19 = t17 * t9 + t18 * t10;
+    const double t20 = t7 * t15 + t16 * t19;
+    const double t21 = t4 * t5;
+    const double t22 = t21 + t21;
+    const double t23 = (double)f[6];
+    const double t24 = t12 * t11 - t8 * t14;
+    const double t25 = -0.5 * t23 + -0.866025403784438646764 * t24;
+    const double t26 = t7 * t7 - t16 * t16;
+    const double t27 = -0.866025403784438646764 * t23 + 0.5 * t24;
+    const double t28 = t7 * t16;
+    const double t29 = t28 + t28;
+    const double t30 = t18 * t9 - t17 * t10;
+    const double t31 = t26 * t27 + t29 * t30;
+    const double t32 = -0.866025403784438646764 * t25 + 0.5 * t31;
+    out[4] = (prt_real)(t6 * t20 + t22 * t32);
+    const double t33 = t7 * t19 - t16 * t15;
+    const double t34 = t26 * t30 - t29 * t27;
+    out[5] = (prt_real)(t4 * t33 + t5 * t34);
+    out[6] = (prt_real)(-0.5 * t25 + -0.866025403784438646764 * t31);
+    out[7] = (prt_real)(t4 * t34 - t5 * t33);
+    out[8] = (prt_real)(t6 * t32 - t22 * t20);
+    const double t35 = t4 * t6 - t5 * t22;
+    const double t36 = (double)f[9];
+    const double t37 = t9 * t11 - t10 * t14;
+    const double t38 = (double)f[15];
+    const double t39 = t9 * t14 + t10 * t11;
+    const double t40 = t36 * t37 + t38 * t39;
+    const double t41 = (double)f[11];
+    const double t42 = (double)f[13];
+    const double t43 = t41 * t9 + t42 * t10;
+    const double t44 = -0.790569415042094833 * t40 + -0.612372435695794524549 * t43;
+    const double t45 = 0.612372435695794524549 * t40 + -0.790569415042094833 * t43;
+    const double t46 = (double)f[10];
+    const double t47 = (double)f[14];
+    const double t48 = t46 * t11 + t47 * t14;
+    const double t49 = t26 * t45 + t29 * t48;
+    const double t50 = -0.790569415042094833 * t44 + 0.612372435695794524549 * t49;
+    const double t51 = t4 * t22 + t5 * t6;
+    const double t52 = t42 * t9 - t41 * t10;
+    const double t53 = t38 * t37 - t36 * t39;
+    const double t54 = -0.25 * t52 + -0.968245836551854221295 * t53;
+    const double t55 = (double)f[12];
+    const double t56 = t47 * t11 - t46 * t14;
+    const double t57 = -0.612372435695794524549 * t55 + -0.790569415042094833 * t56;
+    const double t58 = t7 * t54 + t16 * t57;
+    const double t59 = t7 * t26 - t16 * t29;
+    const double t60 = -0.968245836551854221295 * t52 + 0.25 * t53;
+    const double t61 = t7 * t29 + t16 * t26;
+    const double t62 = -0.790569415042094833 * t55 + 0.612372435695794524549 * t56;
+    const double t63 = t59 * t60 + t61 * t62;
+    const double t64 = -0.968245836551854221295 * t58 + 0.25 * t63;
+    out[9] = (prt_real)(t35 * t50 + t51 * t64);
+    const double t65 = t26 * t48 - t29 * t45;
+    const double t66 = t59 * t62 - t61 * t60;
+    const double t67 = t7 * t57 - t16 * t54;
+    const double t68 = 0.612372435695794524549 * t66 + -0.790569415042094833 * t67;
+    out[10] = (prt_real)(t6 * t65 + t22 * t68);
+    const double t69 = -0.612372435695794524549 * t44 + -0.790569415042094833 * t49;
+    const double t70 = -0.25 * t58 + -0.968245836551854221295 * t63;
+    out[11] = (prt_real)(t4 * t69 + t5 * t70);
+    out[12] = (prt_real)(-0.790569415042094833 * t66 + -0.612372435695794524549 * t67);
+    out[13] = (prt_real)(t4 * t70 - t5 * t69);
+    out[14] = (prt_real)(t6 * t68 - t22 * t65);
+    out[15] = (prt_real)(t35 * t64 - t51 * t50);
+    const double t71 = t4 * t35 - t5 * t51;
+    const double t72 = (double)f[16];
+    const double t73 = t9 * t37 - t10 * t39;
+    const double t74 = (double)f[24];
+    const double t75 = t9 * t39 + t10 * t37;
+    const double t76 = t72 * t73 + t74 * t75;
+    const double t77 = (double)f[18];
+    const double t78 = (double)f[22];
+    const double t79 = t77 * t11 + t78 * t14;
+    const double t80 = -0.935414346693485346396 * t76 + -0.3535533905932737622 * t79;
+    const double t81 = (double)f[17];
+    const double t82 = (double)f[23];
+    const double t83 = t81 * t37 + t82 * t39;
+    const double t84 = (double)f[19];
+    const double t85 = (double)f[21];
+    const double t86 = t84 * t9 + t85 * t10;
+    const double t87 = -0.661437827766147647625 * t83 + -0.75 * t86;
+    const double t88 = t7 * t80 + t16 * t87;
+    const double t89 = 0.3535533905932737622 * t76 + -0.935414346693485346396 * t79;
+    const double t90 = 0.75 * t83 + -0.661437827766147647625 * t86;
+    const double t91 = t59 * t89 + t61 * t90;
+    const double t92 = -0.935414346693485346396 * t88 + 0.3535533905932737622 * t91;
+    const double t93 = t4 * t51 + t5 * t35;
+    const double t94 = (double)f[20];
+    const double t95 = t78 * t11 - t77 * t14;
+    const double t96 = t74 * t73 - t72 * t75;
+    const double t97 = (0.375 * t94 + 0.559016994374947424102 * t95) + 0.739509972887452005321 * t96;
+    const double t98 = (0.559016994374947424102 * t94 + 0.5 * t95) + -0.661437827766147647625 * t96;
+    const double t99 = t85 * t9 - t84 * t10;
+    const double t100 = t82 * t37 - t81 * t39;
+    const double t101 = -0.3535533905932737622 * t99 + -0.935414346693485346396 * t100;
+    const double t102 = t26 * t98 + t29 * t101;
+    const double t103 = 0.739509972887452005321 * t97 + -0.661437827766147647625 * t102;
+    const double t104 = t7 * t59 - t16 * t61;
+    const double t105 = 0.739509972887452005321 * t94 + -0.661437827766147647625 * t95;
+    const double t106 = t105 + 0.125 * t96;
+    const double t107 = t7 * t61 + t16 * t59;
+    const double t108 = -0.935414346693485346396 * t99 + 0.3535533905932737622 * t100;
+    const double t109 = t104 * t106 + t107 * t108;
+    const double t110 = t103 + 0.125 * t109;
+    out[16] = (prt_real)(t71 * t92 + t93 * t110);
+    const double t111 = t59 * t90 - t61 * t89;
+    const double t112 = t7 * t87 - t16 * t80;
+    const double t113 = 0.75 * t111 + -0.661437827766147647625 * t112;
+    const double t114 = t104 * t108 - t107 * t106;
+    const double t115 = t26 * t101 - t29 * t98;
+    const double t116 = 0.3535533905932737622 * t114 + -0.935414346693485346396 * t115;
+    out[17] = (prt_real)(t35 * t113 + t51 * t116);
+    const double t117 = -0.3535533905932737622 * t88 + -0.935414346693485346396 * t91;
+    const double t118 = (0.559016994374947424102 * t97 + 0.5 * t102) + -0.661437827766147647625 * t109;
+    out[18] = (prt_real)(t6 * t117 + t22 * t118);
+    const double t119 = -0.661437827766147647625 * t111 + -0.75 * t112;
+    const double t120 = -0.935414346693485346396 * t114 + -0.3535533905932737622 * t115;
+    out[19] = (prt_real)(t4 * t119 + t5 * t120);
+    out[20] = (prt_real)((0.375 * t97 + 0.559016994374947424102 * t102) + 0.739509972887452005321 * t109);
+    out[21] = (prt_real)(t4 * t120 - t5 * t119);
+    out[22] = (prt_real)(t6 * t118 - t22 * t117);
+    out[23] = (prt_real)(t35 * t116 - t51 * t113);
+    out[24] = (prt_real)(t71 * t110 - t93 * t92);
+    const double t121 = t4 * t71 - t5 * t93;
+    const double t122 = (double)f[25];
+    const double t123 = t9 * t73 - t10 * t75;
+    const double t124 = (double)f[35];
+    const double t125 = t9 * t75 + t10 * t73;
+    const double t126 = t122 * t123 + t124 * t125;
+    const double t127 = (double)f[27];
+    const double t128 = (double)f[33];
+    const double t129 = t127 * t37 + t128 * t39;
+    const double t130 = 0.701560760020114009797 * t126 + 0.522912516583797217486 * t129;
+    const double t131 = (double)f[29];
+    const double t132 = (double)f[31];
+    const double t133 = t131 * t9 + t132 * t10;
+    const double t134 = t130 + 0.484122918275927110647 * t133;
+    const double t135 = -0.684653196881457641821 * t126 + 0.306186217847897262275 * t129;
+    const double t136 = t135 + 0.661437827766147647625 * t133;
+    const double t137 = (double)f[26];
+    const double t138 = (double)f[34];
+    const double t139 = t137 * t73 + t138 * t75;
+    const double t140 = (double)f[28];
+    const double t141 = (double)f[32];
+    const double t142 = t140 * t11 + t141 * t14;
+    const double t143 = -0.866025403784438646764 * t139 + -0.5 * t142;
+    const double t144 = t26 * t136 + t29 * t143;
+    const double t145 = 0.701560760020114009797 * t134 + -0.684653196881457641821 * t144;
+    const double t146 = 0.19764235376052370825 * t126 + -0.795495128834865964951 * t129;
+    const double t147 = t146 + 0.572821961869480000824 * t133;
+    const double t148 = 0.5 * t139 + -0.866025403784438646764 * t142;
+    const double t149 = t104 * t147 + t107 * t148;
+    const double t150 = t145 + 0.19764235376052370825 * t149;
+    const double t151 = t4 * t93 + t5 * t71;
+    const double t152 = t132 * t9 - t131 * t10;
+    const double t153 = t128 * t37 - t127 * t39;
+    const double t154 = t124 * t123 - t122 * t125;
+    const double t155 = (0.125 * t152 + 0.405046293650491264435 * t153) + 0.905711046636839910857 * t154;
+    const double t156 = (double)f[30];
+    const double t157 = t141 * t11 - t140 * t14;
+    const double t158 = 0.484122918275927110647 * t156 + 0.661437827766147647625 * t157;
+    const double t159 = t138 * t73 - t137 * t75;
+    const double t160 = t158 + 0.572821961869480000824 * t159;
+    const double t161 = t7 * t155 + t16 * t160;
+    const double t162 = (0.405046293650491264435 * t152 + 0.8125 * t153) + -0.419262745781210568077 * t154;
+    const double t163 = 0.522912516583797217486 * t156 + 0.306186217847897262275 * t157;
+    const double t164 = t163 + -0.795495128834865964951 * t159;
+    const double t165 = t59 * t162 + t61 * t164;
+    const double t166 = 0.905711046636839910857 * t161 + -0.419262745781210568077 * t165;
+    const double t167 = t7 * t104 - t16 * t107;
+    const double t168 = 0.905711046636839910857 * t152 + -0.419262745781210568077 * t153;
+    const double t169 = t168 + 0.0625 * t154;
+    const double t170 = t7 * t107 + t16 * t104;
+    const double t171 = 0.701560760020114009797 * t156 + -0.684653196881457641821 * t157;
+    const double t172 = t171 + 0.19764235376052370825 * t159;
+    const double t173 = t167 * t169 + t170 * t172;
+    const double t174 = t166 + 0.0625 * t173;
+    out[25] = (prt_real)(t121 * t150 + t151 * t174);
+    const double t175 = t104 * t148 - t107 * t147;
+    const double t176 = t26 * t143 - t29 * t136;
+    const double t177 = 0.5 * t175 + -0.866025403784438646764 * t176;
+    const double t178 = t167 * t172 - t170 * t169;
+    const double t179 = t59 * t164 - t61 * t162;
+    const double t180 = 0.19764235376052370825 * t178 + -0.795495128834865964951 * t179;
+    const double t181 = t7 * t160 - t16 * t155;
+    const double t182 = t180 + 0.572821961869480000824 * t181;
+    out[26] = (prt_real)(t71 * t177 + t93 * t182);
+    const double t183 = 0.522912516583797217486 * t134 + 0.306186217847897262275 * t144;
+    const double t184 = t183 + -0.795495128834865964951 * t149;
+    const double t185 = (0.405046293650491264435 * t161 + 0.8125 * t165) + -0.419262745781210568077 * t173;
+    out[27] = (prt_real)(t35 * t184 + t51 * t185);
+    const double t186 = -0.866025403784438646764 * t175 + -0.5 * t176;
+    const double t187 = -0.684653196881457641821 * t178 + 0.306186217847897262275 * t179;
+    const double t188 = t187 + 0.661437827766147647625 * t181;
+    out[28] = (prt_real)(t6 * t186 + t22 * t188);
+    const double t189 = 0.484122918275927110647 * t134 + 0.661437827766147647625 * t144;
+    const double t190 = t189 + 0.572821961869480000824 * t149;
+    const double t191 = (0.125 * t161 + 0.405046293650491264435 * t165) + 0.905711046636839910857 * t173;
+    out[29] = (prt_real)(t4 * t190 + t5 * t191);
+    const double t192 = 0.701560760020114009797 * t178 + 0.522912516583797217486 * t179;
+    out[30] = (prt_real)(t192 + 0.484122918275927110647 * t181);
+    out[31] = (prt_real)(t4 * t191 - t5 * t190);
+    out[32] = (prt_real)(t6 * t188 - t22 * t186);
+    out[33] = (prt_real)(t35 * t185 - t51 * t184);
+    out[34] = (prt_real)(t71 * t182 - t93 * t177);
+    out[35] = (prt_real)(t121 * t174 - t151 * t150);
 }
 
 /* rotation of one vector by r and by turn, cos and sin of a, b, g, 7 bands: 528 multiplications, 296 additions (293 can fuse), 64 loads, 49 stores */
-PRT__STATIC void prt__sh_rotate_7(const prt_real *r, const prt_real *turn, const prt_real *f, 
-    prt_real *PRT__RESTRICT out) {
-    out[0] = f[0];
-    const prt_real t1 = f[1];
-    const prt_real t2 = f[2];
-    const prt_real t3 = f[3];
-    out[1] = (r[4] * t1 + r[5] * t2) + r[3] * t3;
-    out[2] = (r[7] * t1 + r[8] * t2) + r[6] * t3;
-    out[3] = (r[1] * t1 + r[2] * t2) + r[0] * t3;
-    const prt_real t4 = turn[0];
-    const prt_real t5 = turn[1];
-    const prt_real t6 = t4 * t4 - t5 * t5;
-    const prt_real t7 = turn[2];
-    const prt_real t8 = f[4];
-    const prt_real t9 = turn[4];
-    const prt_real t10 = turn[5];
-    const prt_real t11 = t9 * t9 - t10 * t10;
-    const prt_real t12 = f[8];
-    const prt_real t13 = t9 * t10;
-    const prt_real t14 = t13 + t13;
-    const prt_real t15 = t8 * t11 + t12 * t14;
-    const prt_real t16 = turn[3];
-    const prt_real t17 = f[5];
-    const prt_real t18 = f[7];
-    const prt_real t19 = t17 * t9 + t18 * t10;
-    const prt_real t20 = t7 * t15 + t16 * t19;
-    const prt_real t21 = t4 * t5;
-    const prt_real t22 = t21 + t21;
-    const prt_real t23 = f[6];
-    const prt_real t24 = t12 * t11 - t8 * t14;
-    const prt_real t25 = PRT__R(-0.5) * t23 + PRT__R(-0.866025403784438646764) * t24;
-    const prt_real t26 = t7 * t7 - t16 * t16;
-    const prt_real t27 = PRT__R(-0.866025403784438646764) * t23 + PRT__R(0.5) * t24;
-    const prt_real t28 = t7 * t16;
-    const prt_real t29 = t28 + t28;
-    const prt_real t30 = t18 * t9 - t17 * t10;
-    const prt_real t31 = t26 * t27 + t29 * t30;
-    const prt_real t32 = PRT__R(-0.866025403784438646764) * t25 + PRT__R(0.5) * t31;
-    out[4] = t6 * t20 + t22 * t32;
-    const prt_real t33 = t7 * t19 - t16 * t15;
-    const prt_real t34 = t26 * t30 - t29 * t27;
-    out[5] = t4 * t33 + t5 * t34;
-    out[6] = PRT__R(-0.5) * t25 + PRT__R(-0.866025403784438646764) * t31;
-    out[7] = t4 * t34 - t5 * t33;
-    out[8] = t6 * t32 - t22 * t20;
-    const prt_real t35 = t4 * t6 - t5 * t22;
-    const prt_real t36 = f[9];
-    const prt_real t37 = t9 * t11 - t10 * t14;
-    const prt_real t38 = f[15];
-    const prt_real t39 = t9 * t14 + t10 * t11;
-    const prt_real t40 = t36 * t37 + t38 * t39;
-    const prt_real t41 = f[11];
-    const prt_real t42 = f[13];
-    const prt_real t43 = t41 * t9 + t42 * t10;
-    const prt_real t44 = PRT__R(-0.790569415042094833) * t40 + PRT__R(-0.612372435695794524549) * t43;
-    const prt_real t45 = PRT__R(0.612372435695794524549) * t40 + PRT__R(-0.790569415042094833) * t43;
-    const prt_real t46 = f[10];
-    const prt_real t47 = f[14];
-    const prt_real t48 = t46 * t11 + t47 * t14;
-    const prt_real t49 = t26 * t45 + t29 * t48;
-    const prt_real t50 = PRT__R(-0.790569415042094833) * t44 + PRT__R(0.612372435695794524549) * t49;
-    const prt_real t51 = t4 * t22 + t5 * t6;
-    const prt_real t52 = t42 * t9 - t41 * t10;
-    const prt_real t53 = t38 * t37 - t36 * t39;
-    const prt_real t54 = PRT__R(-0.25) * t52 + PRT__R(-0.968245836551854221295) * t53;
-    const prt_real t55 = f[12];
-    const prt_real t56 = t47 * t11 - t46 * t14;
-    const prt_real t57 = PRT__R(-0.612372435695794524549) * t55 + PRT__R(-0.790569415042094833) * t56;
-    const prt_real t58 = t7 * t54 + t16 * t57;
-    const prt_real t59 = t7 * t26 - t16 * t29;
-    const prt_real t60 = PRT__R(-0.968245836551854221295) * t52 + PRT__R(0.25) * t53;
-    const prt_real t61 = t7 * t29 + t16 * t26;
-    const prt_real t62 = PRT__R(-0.790569415042094833) * t55 + PRT__R(0.612372435695794524549) * t56;
-    const prt_real t63 = t59 * t60 + t61 * t62;
-    const prt_real t64 = PRT__R(-0.968245836551854221295) * t58 + PRT__R(0.25) * t63;
-    out[9] = t35 * t50 + t51 * t64;
-    const prt_real t65 = t26 * t48 - t29 * t45;
-    const prt_real t66 = t59 * t62 - t61 * t60;
-    const prt_real t67 = t7 * t57 - t16 * t54;
-    const prt_real t68 = PRT__R(0.612372435695794524549) * t66 + PRT__R(-0.790569415042094833) * t67;
-    out[10] = t6 * t65 + t22 * t68;
-    const prt_real t69 = PRT__R(-0.612372435695794524549) * t44 + PRT__R(-0.790569415042094833) * t49;
-    const prt_real t70 = PRT__R(-0.25) * t58 + PRT__R(-0.968245836551854221295) * t63;
-    out[11] = t4 * t69 + t5 * t70;
-    out[12] = PRT__R(-0.790569415042094833) * t66 + PRT__R(-0.612372435695794524549) * t67;
-    out[13] = t4 * t70 - t5 * t69;
-    out[14] = t6 * t68 - t22 * t65;
-    out[15] = t35 * t64 - t51 * t50;
-    const prt_real t71 = t4 * t35 - t5 * t51;
-    const prt_real t72 = f[16];
-    const prt_real t73 = t9 * t37 - t10 * t39;
-    const prt_real t74 = f[24];
-    const prt_real t75 = t9 * t39 + t10 * t37;
-    const prt_real t76 = t72 * t73 + t74 * t75;
-    const prt_real t77 = f[18];
-    const prt_real t78 = f[22];
-    const prt_real t79 = t77 * t11 + t78 * t14;
-    const prt_real t80 = PRT__R(-0.935414346693485346396) * t76 + PRT__R(-0.3535533905932737622) * t79;
-    const prt_real t81 = f[17];
-    const prt_real t82 = f[23];
-    const prt_real t83 = t81 * t37 + t82 * t39;
-    const prt_real t84 = f[19];
-    const prt_real t85 = f[21];
-    const prt_real t86 = t84 * t9 + t85 * t10;
-    const prt_real t87 = PRT__R(-0.661437827766147647625) * t83 + PRT__R(-0.75) * t86;
-    const prt_real t88 = t7 * t80 + t16 * t87;
-    const prt_real t89 = PRT__R(0.3535533905932737622) * t76 + PRT__R(-0.935414346693485346396) * t79;
-    const prt_real t90 = PRT__R(0.75) * t83 + PRT__R(-0.661437827766147647625) * t86;
-    const prt_real t91 = t59 * t89 + t61 * t90;
-    const prt_real t92 = PRT__R(-0.935414346693485346396) * t88 + PRT__R(0.3535533905932737622) * t91;
-    const prt_real t93 = t4 * t51 + t5 * t35;
-    const prt_real t94 = f[20];
-    const prt_real t95 = t78 * t11 - t77 * t14;
-    const prt_real t96 = PRT__R(0.375) * t94 + PRT__R(0.559016994374947424102) * t95;
-    const prt_real t97 = t74 * t73 - t72 * t75;
-    const prt_real t98 = t96 + PRT__R(0.739509972887452005321) * t97;
-    const prt_real t99 = (PRT__R(0.559016994374947424102) * t94 + PRT__R(0.5) * t95) + PRT__R(-0.661437827766147647625) * t97;
-    const prt_real t100 = t85 * t9 - t84 * t10;
-    const prt_real t101 = t82 * t37 - t81 * t39;
-    const prt_real t102 = PRT__R(-0.3535533905932737622) * t100 + PRT__R(-0.935414346693485346396) * t101;
-    const prt_real t103 = t26 * t99 + t29 * t102;
-    const prt_real t104 = PRT__R(0.739509972887452005321) * t98 + PRT__R(-0.661437827766147647625) * t103;
-    const prt_real t105 = t7 * t59 - t16 * t61;
-    const prt_real t106 = PRT__R(0.739509972887452005321) * t94 + PRT__R(-0.661437827766147647625) * t95;
-    const prt_real t107 = t106 + PRT__R(0.125) * t97;
-    const prt_real t108 = t7 * t61 + t16 * t59;
-    const prt_real t109 = PRT__R(-0.935414346693485346396) * t100 + PRT__R(0.3535533905932737622) * t101;
-    const prt_real t110 = t105 * t107 + t108 * t109;
-    const prt_real t111 = t104 + PRT__R(0.125) * t110;
-    out[16] = t71 * t92 + t93 * t111;
-    const prt_real t112 = t59 * t90 - t61 * t89;
-    const prt_real t113 = t7 * t87 - t16 * t80;
-    const prt_real t114 = PRT__R(0.75) * t112 + PRT__R(-0.661437827766147647625) * t113;
-    const prt_real t115 = t105 * t109 - t108 * t107;
-    const prt_real t116 = t26 * t102 - t29 * t99;
-    const prt_real t117 = PRT__R(0.3535533905932737622) * t115 + PRT__R(-0.935414346693485346396) * t116;
-    out[17] = t35 * t114 + t51 * t117;
-    const prt_real t118 = PRT__R(-0.3535533905932737622) * t88 + PRT__R(-0.935414346693485346396) * t91;
-    const prt_real t119 = (PRT__R(0.559016994374947424102) * t98 + PRT__R(0.5) * t103) + PRT__R(-0.661437827766147647625) * t110;
-    out[18] = t6 * t118 + t22 * t119;
-    const prt_real t120 = PRT__R(-0.661437827766147647625) * t112 + PRT__R(-0.75) * t113;
-    const prt_real t121 = PRT__R(-0.935414346693485346396) * t115 + PRT__R(-0.3535533905932737622) * t116;
-    out[19] = t4 * t120 + t5 * t121;
-    const prt_real t122 = PRT__R(0.375) * t98 + PRT__R(0.559016994374947424102) * t103;
-    out[20] = t122 + PRT__R(0.739509972887452005321) * t110;
-    out[21] = t4 * t121 - t5 * t120;
-    out[22] = t6 * t119 - t22 * t118;
-    out[23] = t35 * t117 - t51 * t114;
-    out[24] = t71 * t111 - t93 * t92;
-    const prt_real t123 = t4 * t71 - t5 * t93;
-    const prt_real t124 = f[25];
-    const prt_real t125 = t9 * t73 - t10 * t75;
-    const prt_real t126 = f[35];
-    const prt_real t127 = t9 * t75 + t10 * t73;
-    const prt_real t128 = t124 * t125 + t126 * t127;
-    const prt_real t129 = f[27];
-    const prt_real t130 = f[33];
-    const prt_real t131 = t129 * t37 + t130 * t39;
-    const prt_real t132 = PRT__R(0.701560760020114009797) * t128 + PRT__R(0.522912516583797217486) * t131;
-    const prt_real t133 = f[29];
-    const prt_real t134 = f[31];
-    const prt_real t135 = t133 * t9 + t134 * t10;
-    const prt_real t136 = t132 + PRT__R(0.484122918275927110647) * t135;
-    const prt_real t137 = PRT__R(-0.684653196881457641821) * t128 + PRT__R(0.306186217847897262275) * t131;
-    const prt_real t138 = t137 + PRT__R(0.661437827766147647625) * t135;
-    const prt_real t139 = f[26];
-    const prt_real t140 = f[34];
-    const prt_real t141 = t139 * t73 + t140 * t75;
-    const prt_real t142 = f[28];
-    const prt_real t143 = f[32];
-    const prt_real t144 = t142 * t11 + t143 * t14;
-    const prt_real t145 = PRT__R(-0.866025403784438646764) * t141 + PRT__R(-0.5) * t144;
-    const prt_real t146 = t26 * t138 + t29 * t145;
-    const prt_real t147 = PRT__R(0.701560760020114009797) * t136 + PRT__R(-0.684653196881457641821) * t146;
-    const prt_real t148 = PRT__R(0.19764235376052370825) * t128 + PRT__R(-0.795495128834865964951) * t131;
-    const prt_real t149 = t148 + PRT__R(0.572821961869480000824) * t135;
-    const prt_real t150 = PRT__R(0.5) * t141 + PRT__R(-0.866025403784438646764) * t144;
-    const prt_real t151 = t105 * t149 + t108 * t150;
-    const prt_real t152 = t147 + PRT__R(0.19764235376052370825) * t151;
-    const prt_real t153 = t4 * t93 + t5 * t71;
-    const prt_real t154 = t134 * t9 - t133 * t10;
-    const prt_real t155 = t130 * t37 - t129 * t39;
-    const prt_real t156 = PRT__R(0.125) * t154 + PRT__R(0.405046293650491264435) * t155;
-    const prt_real t157 = t126 * t125 - t124 * t127;
-    const prt_real t158 = t156 + PRT__R(0.905711046636839910857) * t157;
-    const prt_real t159 = f[30];
-    const prt_real t160 = t143 * t11 - t142 * t14;
-    const prt_real t161 = PRT__R(0.484122918275927110647) * t159 + PRT__R(0.661437827766147647625) * t160;
-    const prt_real t162 = t140 * t73 - t139 * t75;
-    const prt_real t163 = t161 + PRT__R(0.572821961869480000824) * t162;
-    const prt_real t164 = t7 * t158 + t16 * t163;
-    const prt_real t165 = PRT__R(0.405046293650491264435) * t154 + PRT__R(0.8125) * t155;
-    const prt_real t166 = t165 + PRT__R(-0.419262745781210568077) * t157;
-    const prt_real t167 = PRT__R(0.522912516583797217486) * t159 + PRT__R(0.306186217847897262275) * t160;
-    const prt_real t168 = t167 + PRT__R(-0.795495128834865964951) * t162;
-    const prt_real t169 = t59 * t166 + t61 * t168;
-    const prt_real t170 = PRT__R(0.905711046636839910857) * t164 + PRT__R(-0.419262745781210568077) * t169;
-    const prt_real t171 = t7 * t105 - t16 * t108;
-    const prt_real t172 = PRT__R(0.905711046636839910857) * t154 + PRT__R(-0.419262745781210568077) * t155;
-    const prt_real t173 = t172 + PRT__R(0.0625) * t157;
-    const prt_real t174 = t7 * t108 + t16 * t105;
-    const prt_real t175 = PRT__R(0.701560760020114009797) * t159 + PRT__R(-0.684653196881457641821) * t160;
-    const prt_real t176 = t175 + PRT__R(0.19764235376052370825) * t162;
-    const prt_real t177 = t171 * t173 + t174 * t176;
-    const prt_real t178 = t170 + PRT__R(0.0625) * t177;
-    out[25] = t123 * t152 + t153 * t178;
-    const prt_real t179 = t105 * t150 - t108 * t149;
-    const prt_real t180 = t26 * t145 - t29 * t138;
-    const prt_real t181 = PRT__R(0.5) * t179 + PRT__R(-0.866025403784438646764) * t180;
-    const prt_real t182 = t171 * t176 - t174 * t173;
-    const prt_real t183 = t59 * t168 - t61 * t166;
-    const prt_real t184 = PRT__R(0.19764235376052370825) * t182 + PRT__R(-0.795495128834865964951) * t183;
-    const prt_real t185 = t7 * t163 - t16 * t158;
-    const prt_real t186 = t184 + PRT__R(0.572821961869480000824) * t185;
-    out[26] = t71 * t181 + t93 * t186;
-    const prt_real t187 = PRT__R(0.522912516583797217486) * t136 + PRT__R(0.306186217847897262275) * t146;
-    const prt_real t188 = t187 + PRT__R(-0.795495128834865964951) * t151;
-    const prt_real t189 = PRT__R(0.405046293650491264435) * t164 + PRT__R(0.8125) * t169;
-    const prt_real t190 = t189 + PRT__R(-0.419262745781210568077) * t177;
-    out[27] = t35 * t188 + t51 * t190;
-    const prt_real t191 = PRT__R(-0.866025403784438646764) * t179 + PRT__R(-0.5) * t180;
-    const prt_real t192 = PRT__R(-0.684653196881457641821) * t182 + PRT__R(0.306186217847897262275) * t183;
-    const prt_real t193 = t192 + PRT__R(0.661437827766147647625) * t185;
-    out[28] = t6 * t191 + t22 * t193;
-    const prt_real t194 = PRT__R(0.484122918275927110647) * t136 + PRT__R(0.661437827766147647625) * t146;
-    const prt_real t195 = t194 + PRT__R(0.572821961869480000824) * t151;
-    const prt_real t196 = PRT__R(0.125) * t164 + PRT__R(0.405046293650491264435) * t169;
-    const prt_real t197 = t196 + PRT__R(0.905711046636839910857) * t177;
-    out[29] = t4 * t195 + t5 * t197;
-    const prt_real t198 = PRT__R(0.701560760020114009797) * t182 + PRT__R(0.522912516583797217486) * t183;
-    out[30] = t198 + PRT__R(0.484122918275927110647) * t185;
-    out[31] = t4 * t197 - t5 * t195;
-    out[32] = t6 * t193 - t22 * t191;
-    out[33] = t35 * t190 - t51 * t188;
-    out[34] = t71 * t186 - t93 * t181;
-    out[35] = t123 * t178 - t153 * t152;
-    const prt_real t199 = t4 * t123 - t5 * t153;
-    const prt_real t200 = f[36];
-    const prt_real t201 = t9 * t125 - t10 * t127;
-    const prt_real t202 = f[48];
-    const prt_real t203 = t9 * t127 + t10 * t125;
-    const prt_real t204 = t200 * t201 + t202 * t203;
-    const prt_real t205 = f[38];
-    const prt_real t206 = f[46];
-    const prt_real t207 = t205 * t73 + t206 * t75;
-    const prt_real t208 = PRT__R(0.879452954966893041481) * t204 + PRT__R(0.433012701892219323382) * t207;
-    const prt_real t209 = f[40];
-    const prt_real t210 = f[44];
-    const prt_real t211 = t209 * t11 + t210 * t14;
-    const prt_real t212 = t208 + PRT__R(0.19764235376052370825) * t211;
-    const prt_real t213 = f[37];
-    const prt_real t214 = f[47];
-    const prt_real t215 = t213 * t125 + t214 * t127;
-    const prt_real t216 = f[39];
-    const prt_real t217 = f[45];
-    const prt_real t218 = t216 * t37 + t217 * t39;
-    const prt_real t219 = PRT__R(0.507752400289747522529) * t215 + PRT__R(0.59292706128157112475) * t218;
-    const prt_real t220 = f[41];
-    const prt_real t221 = f[43];
-    const prt_real t222 = t220 * t9 + t221 * t10;
-    const prt_real t223 = t219 + PRT__R(0.625) * t222;
-    const prt_real t224 = t7 * t212 + t16 * t223;
-    const prt_real t225 = PRT__R(-0.463512405443478934294) * t204 + PRT__R(0.684653196881457641821) * t207;
-    const prt_real t226 = t225 + PRT__R(0.5625) * t211;
-    const prt_real t227 = PRT__R(-0.802827036166570563757) * t215 + PRT__R(0.0625) * t218;
-    const prt_real t228 = t227 + PRT__R(0.59292706128157112475) * t222;
-    const prt_real t229 = t59 * t226 + t61 * t228;
-    const prt_real t230 = PRT__R(0.879452954966893041481) * t224 + PRT__R(-0.463512405443478934294) * t229;
-    const prt_real t231 = PRT__R(0.108253175473054830845) * t204 + PRT__R(-0.586301969977928694321) * t207;
-    const prt_real t232 = t231 + PRT__R(0.802827036166570563757) * t211;
-    const prt_real t233 = PRT__R(0.3125) * t215 + PRT__R(-0.802827036166570563757) * t218;
-    const prt_real t234 = t233 + PRT__R(0.507752400289747522529) * t222;
-    const prt_real t235 = t171 * t232 + t174 * t234;
-    const prt_real t236 = t230 + PRT__R(0.108253175473054830845) * t235;
-    const prt_real t237 = t4 * t153 + t5 * t123;
-    const prt_real t238 = f[42];
-    const prt_real t239 = t210 * t11 - t209 * t14;
-    const prt_real t240 = PRT__R(-0.3125) * t238 + PRT__R(-0.452855523318419955429) * t239;
-    const prt_real t241 = t206 * t73 - t205 * t75;
-    const prt_real t242 = t202 * t201 - t200 * t203;
-    const prt_real t243 = (t240 + PRT__R(-0.496078370824610735719) * t241) + PRT__R(-0.671693289381396157476) * t242;
-    const prt_real t244 = PRT__R(-0.452855523318419955429) * t238 + PRT__R(-0.53125) * t239;
-    const prt_real t245 = (t244 + PRT__R(-0.171163299220364410455) * t241) + PRT__R(0.695268608165218401442) * t242;
-    const prt_real t246 = t221 * t9 - t220 * t10;
-    const prt_real t247 = t217 * t37 - t216 * t39;
-    const prt_real t248 = PRT__R(0.19764235376052370825) * t246 + PRT__R(0.5625) * t247;
-    const prt_real t249 = t214 * t125 - t213 * t127;
-    const prt_real t250 = t248 + PRT__R(0.802827036166570563757) * t249;
-    const prt_real t251 = t26 * t245 + t29 * t250;
-    const prt_real t252 = PRT__R(-0.671693289381396157476) * t243 + PRT__R(0.695268608165218401442) * t251;
-    const prt_real t253 = PRT__R(-0.496078370824610735719) * t238 + PRT__R(-0.171163299220364410455) * t239;
-    const prt_real t254 = (t253 + PRT__R(0.8125) * t241) + PRT__R(-0.253876200144873761264) * t242;
-    const prt_real t255 = PRT__R(0.433012701892219323382) * t246 + PRT__R(0.684653196881457641821) * t247;
-    const prt_real t256 = t255 + PRT__R(-0.586301969977928694321) * t249;
-    const prt_real t257 = t105 * t254 + t108 * t256;
-    const prt_real t258 = t7 * t171 - t16 * t174;
-    const prt_real t259 = PRT__R(-0.671693289381396157476) * t238 + PRT__R(0.695268608165218401442) * t239;
-    const prt_real t260 = (t259 + PRT__R(-0.253876200144873761264) * t241) + PRT__R(0.03125) * t242;
-    const prt_real t261 = t7 * t174 + t16 * t171;
-    const prt_real t262 = PRT__R(0.879452954966893041481) * t246 + PRT__R(-0.463512405443478934294) * t247;
-    const prt_real t263 = t262 + PRT__R(0.108253175473054830845) * t249;
-    const prt_real t264 = t258 * t260 + t261 * t263;
-    const prt_real t265 = (t252 + PRT__R(-0.253876200144873761264) * t257) + PRT__R(0.03125) * t264;
-    out[36] = t199 * t236 + t237 * t265;
-    const prt_real t266 = t171 * t234 - t174 * t232;
-    const prt_real t267 = t59 * t228 - t61 * t226;
-    const prt_real t268 = PRT__R(0.3125) * t266 + PRT__R(-0.802827036166570563757) * t267;
-    const prt_real t269 = t7 * t223 - t16 * t212;
-    const prt_real t270 = t268 + PRT__R(0.507752400289747522529) * t269;
-    const prt_real t271 = t258 * t263 - t261 * t260;
-    const prt_real t272 = t105 * t256 - t108 * t254;
-    const prt_real t273 = PRT__R(0.108253175473054830845) * t271 + PRT__R(-0.586301969977928694321) * t272;
-    const prt_real t274 = t26 * t250 - t29 * t245;
-    const prt_real t275 = t273 + PRT__R(0.802827036166570563757) * t274;
-    out[37] = t123 * t270 + t153 * t275;
-    const prt_real t276 = PRT__R(0.433012701892219323382) * t224 + PRT__R(0.684653196881457641821) * t229;
-    const prt_real t277 = t276 + PRT__R(-0.586301969977928694321) * t235;
-    const prt_real t278 = PRT__R(-0.496078370824610735719) * t243 + PRT__R(-0.171163299220364410455) * t251;
-    const prt_real t279 = (t278 + PRT__R(0.8125) * t257) + PRT__R(-0.253876200144873761264) * t264;
-    out[38] = t71 * t277 + t93 * t279;
-    const prt_real t280 = PRT__R(-0.802827036166570563757) * t266 + PRT__R(0.0625) * t267;
-    const prt_real t281 = t280 + PRT__R(0.59292706128157112475) * t269;
-    const prt_real t282 = PRT__R(-0.463512405443478934294) * t271 + PRT__R(0.684653196881457641821) * t272;
-    const prt_real t283 = t282 + PRT__R(0.5625) * t274;
-    out[39] = t35 * t281 + t51 * t283;
-    const prt_real t284 = PRT__R(0.19764235376052370825) * t224 + PRT__R(0.5625) * t229;
-    const prt_real t285 = t284 + PRT__R(0.802827036166570563757) * t235;
-    const prt_real t286 = PRT__R(-0.452855523318419955429) * t243 + PRT__R(-0.53125) * t251;
-    const prt_real t287 = (t286 + PRT__R(-0.171163299220364410455) * t257) + PRT__R(0.695268608165218401442) * t264;
-    out[40] = t6 * t285 + t22 * t287;
-    const prt_real t288 = PRT__R(0.507752400289747522529) * t266 + PRT__R(0.59292706128157112475) * t267;
-    const prt_real t289 = t288 + PRT__R(0.625) * t269;
-    const prt_real t290 = PRT__R(0.879452954966893041481) * t271 + PRT__R(0.433012701892219323382) * t272;
-    const prt_real t291 = t290 + PRT__R(0.19764235376052370825) * t274;
-    out[41] = t4 * t289 + t5 * t291;
-    const prt_real t292 = PRT__R(-0.3125) * t243 + PRT__R(-0.452855523318419955429) * t251;
-    out[42] = (t292 + PRT__R(-0.496078370824610735719) * t257) + PRT__R(-0.671693289381396157476) * t264;
-    out[43] = t4 * t291 - t5 * t289;
-    out[44] = t6 * t287 - t22 * t285;
-    out[45] = t35 * t283 - t51 * t281;
-    out[46] = t71 * t279 - t93 * t277;
-    out[47] = t123 * t275 - t153 * t270;
-    out[48] = t199 * t265 - t237 * t236;
+PRT__STATIC void prt__sh_rotate_7(const prt_real *r, const double *turn, const prt_real *f, prt_real *PRT__RESTRICT out) {
+    out[0] = (prt_real)((double)f[0]);
+    const double t1 = (double)f[1];
+    const double t2 = (double)f[2];
+    const double t3 = (double)f[3];
+    out[1] = (prt_real)(((double)r[4] * t1 + (double)r[5] * t2) + (double)r[3] * t3);
+    out[2] = (prt_real)(((double)r[7] * t1 + (double)r[8] * t2) + (double)r[6] * t3);
+    out[3] = (prt_real)(((double)r[1] * t1 + (double)r[2] * t2) + (double)r[0] * t3);
+    const double t4 = turn[0];
+    const double t5 = turn[1];
+    const double t6 = t4 * t4 - t5 * t5;
+    const double t7 = turn[2];
+    const double t8 = (double)f[4];
+    const double t9 = turn[4];
+    const double t10 = turn[5];
+    const double t11 = t9 * t9 - t10 * t10;
+    const double t12 = (double)f[8];
+    const double t13 = t9 * t10;
+    const double t14 = t13 + t13;
+    const double t15 = t8 * t11 + t12 * t14;
+    const double t16 = turn[3];
+    const double t17 = (double)f[5];
+    const double t18 = (double)f[7];
+    const double t19 = t17 * t9 + t18 * t10;
+    const double t20 = t7 * t15 + t16 * t19;
+    const double t21 = t4 * t5;
+    const double t22 = t21 + t21;
+    const double t23 = (double)f[6];
+    const double t24 = t12 * t11 - t8 * t14;
+    const double t25 = -0.5 * t23 + -0.866025403784438646764 * t24;
+    const double t26 = t7 * t7 - t16 * t16;
+    const double t27 = -0.866025403784438646764 * t23 + 0.5 * t24;
+    const double t28 = t7 * t16;
+    const double t29 = t28 + t28;
+    const double t30 = t18 * t9 - t17 * t10;
+    const double t31 = t26 * t27 + t29 * t30;
+    const double t32 = -0.866025403784438646764 * t25 + 0.5 * t31;
+    out[4] = (prt_real)(t6 * t20 + t22 * t32);
+    const double t33 = t7 * t19 - t16 * t15;
+    const double t34 = t26 * t30 - t29 * t27;
+    out[5] = (prt_real)(t4 * t33 + t5 * t34);
+    out[6] = (prt_real)(-0.5 * t25 + -0.866025403784438646764 * t31);
+    out[7] = (prt_real)(t4 * t34 - t5 * t33);
+    out[8] = (prt_real)(t6 * t32 - t22 * t20);
+    const double t35 = t4 * t6 - t5 * t22;
+    const double t36 = (double)f[9];
+    const double t37 = t9 * t11 - t10 * t14;
+    const double t38 = (double)f[15];
+    const double t39 = t9 * t14 + t10 * t11;
+    const double t40 = t36 * t37 + t38 * t39;
+    const double t41 = (double)f[11];
+    const double t42 = (double)f[13];
+    const double t43 = t41 * t9 + t42 * t10;
+    const double t44 = -0.790569415042094833 * t40 + -0.612372435695794524549 * t43;
+    const double t45 = 0.612372435695794524549 * t40 + -0.790569415042094833 * t43;
+    const double t46 = (double)f[10];
+    const double t47 = (double)f[14];
+    const double t48 = t46 * t11 + t47 * t14;
+    const double t49 = t26 * t45 + t29 * t48;
+    const double t50 = -0.790569415042094833 * t44 + 0.612372435695794524549 * t49;
+    const double t51 = t4 * t22 + t5 * t6;
+    const double t52 = t42 * t9 - t41 * t10;
+    const double t53 = t38 * t37 - t36 * t39;
+    const double t54 = -0.25 * t52 + -0.968245836551854221295 * t53;
+    const double t55 = (double)f[12];
+    const double t56 = t47 * t11 - t46 * t14;
+    const double t57 = -0.612372435695794524549 * t55 + -0.790569415042094833 * t56;
+    const double t58 = t7 * t54 + t16 * t57;
+    const double t59 = t7 * t26 - t16 * t29;
+    const double t60 = -0.968245836551854221295 * t52 + 0.25 * t53;
+    const double t61 = t7 * t29 + t16 * t26;
+    const double t62 = -0.790569415042094833 * t55 + 0.612372435695794524549 * t56;
+    const double t63 = t59 * t60 + t61 * t62;
+    const double t64 = -0.968245836551854221295 * t58 + 0.25 * t63;
+    out[9] = (prt_real)(t35 * t50 + t51 * t64);
+    const double t65 = t26 * t48 - t29 * t45;
+    const double t66 = t59 * t62 - t61 * t60;
+    const double t67 = t7 * t57 - t16 * t54;
+    const double t68 = 0.612372435695794524549 * t66 + -0.790569415042094833 * t67;
+    out[10] = (prt_real)(t6 * t65 + t22 * t68);
+    const double t69 = -0.612372435695794524549 * t44 + -0.790569415042094833 * t49;
+    const double t70 = -0.25 * t58 + -0.968245836551854221295 * t63;
+    out[11] = (prt_real)(t4 * t69 + t5 * t70);
+    out[12] = (prt_real)(-0.790569415042094833 * t66 + -0.612372435695794524549 * t67);
+    out[13] = (prt_real)(t4 * t70 - t5 * t69);
+    out[14] = (prt_real)(t6 * t68 - t22 * t65);
+    out[15] = (prt_real)(t35 * t64 - t51 * t50);
+    const double t71 = t4 * t35 - t5 * t51;
+    const double t72 = (double)f[16];
+    const double t73 = t9 * t37 - t10 * t39;
+    const double t74 = (double)f[24];
+    const double t75 = t9 * t39 + t10 * t37;
+    const double t76 = t72 * t73 + t74 * t75;
+    const double t77 = (double)f[18];
+    const double t78 = (double)f[22];
+    const double t79 = t77 * t11 + t78 * t14;
+    const double t80 = -0.935414346693485346396 * t76 + -0.3535533905932737622 * t79;
+    const double t81 = (double)f[17];
+    const double t82 = (double)f[23];
+    const double t83 = t81 * t37 + t82 * t39;
+    const double t84 = (double)f[19];
+    const double t85 = (double)f[21];
+    const double t86 = t84 * t9 + t85 * t10;
+    const double t87 = -0.661437827766147647625 * t83 + -0.75 * t86;
+    const double t88 = t7 * t80 + t16 * t87;
+    const double t89 = 0.3535533905932737622 * t76 + -0.935414346693485346396 * t79;
+    const double t90 = 0.75 * t83 + -0.661437827766147647625 * t86;
+    const double t91 = t59 * t89 + t61 * t90;
+    const double t92 = -0.935414346693485346396 * t88 + 0.3535533905932737622 * t91;
+    const double t93 = t4 * t51 + t5 * t35;
+    const double t94 = (double)f[20];
+    const double t95 = t78 * t11 - t77 * t14;
+    const double t96 = t74 * t73 - t72 * t75;
+    const double t97 = (0.375 * t94 + 0.559016994374947424102 * t95) + 0.739509972887452005321 * t96;
+    const double t98 = (0.559016994374947424102 * t94 + 0.5 * t95) + -0.661437827766147647625 * t96;
+    const double t99 = t85 * t9 - t84 * t10;
+    const double t100 = t82 * t37 - t81 * t39;
+    const double t101 = -0.3535533905932737622 * t99 + -0.935414346693485346396 * t100;
+    const double t102 = t26 * t98 + t29 * t101;
+    const double t103 = 0.739509972887452005321 * t97 + -0.661437827766147647625 * t102;
+    const double t104 = t7 * t59 - t16 * t61;
+    const double t105 = 0.739509972887452005321 * t94 + -0.661437827766147647625 * t95;
+    const double t106 = t105 + 0.125 * t96;
+    const double t107 = t7 * t61 + t16 * t59;
+    const double t108 = -0.935414346693485346396 * t99 + 0.3535533905932737622 * t100;
+    const double t109 = t104 * t106 + t107 * t108;
+    const double t110 = t103 + 0.125 * t109;
+    out[16] = (prt_real)(t71 * t92 + t93 * t110);
+    const double t111 = t59 * t90 - t61 * t89;
+    const double t112 = t7 * t87 - t16 * t80;
+    const double t113 = 0.75 * t111 + -0.661437827766147647625 * t112;
+    const double t114 = t104 * t108 - t107 * t106;
+    const double t115 = t26 * t101 - t29 * t98;
+    const double t116 = 0.3535533905932737622 * t114 + -0.935414346693485346396 * t115;
+    out[17] = (prt_real)(t35 * t113 + t51 * t116);
+    const double t117 = -0.3535533905932737622 * t88 + -0.935414346693485346396 * t91;
+    const double t118 = (0.559016994374947424102 * t97 + 0.5 * t102) + -0.661437827766147647625 * t109;
+    out[18] = (prt_real)(t6 * t117 + t22 * t118);
+    const double t119 = -0.661437827766147647625 * t111 + -0.75 * t112;
+    const double t120 = -0.935414346693485346396 * t114 + -0.3535533905932737622 * t115;
+    out[19] = (prt_real)(t4 * t119 + t5 * t120);
+    out[20] = (prt_real)((0.375 * t97 + 0.559016994374947424102 * t102) + 0.739509972887452005321 * t109);
+    out[21] = (prt_real)(t4 * t120 - t5 * t119);
+    out[22] = (prt_real)(t6 * t118 - t22 * t117);
+    out[23] = (prt_real)(t35 * t116 - t51 * t113);
+    out[24] = (prt_real)(t71 * t110 - t93 * t92);
+    const double t121 = t4 * t71 - t5 * t93;
+    const double t122 = (double)f[25];
+    const double t123 = t9 * t73 - t10 * t75;
+    const double t124 = (double)f[35];
+    const double t125 = t9 * t75 + t10 * t73;
+    const double t126 = t122 * t123 + t124 * t125;
+    const double t127 = (double)f[27];
+    const double t128 = (double)f[33];
+    const double t129 = t127 * t37 + t128 * t39;
+    const double t130 = 0.701560760020114009797 * t126 + 0.522912516583797217486 * t129;
+    const double t131 = (double)f[29];
+    const double t132 = (double)f[31];
+    const double t133 = t131 * t9 + t132 * t10;
+    const double t134 = t130 + 0.484122918275927110647 * t133;
+    const double t135 = -0.684653196881457641821 * t126 + 0.306186217847897262275 * t129;
+    const double t136 = t135 + 0.661437827766147647625 * t133;
+    const double t137 = (double)f[26];
+    const double t138 = (double)f[34];
+    const double t139 = t137 * t73 + t138 * t75;
+    const double t140 = (double)f[28];
+    const double t141 = (double)f[32];
+    const double t142 = t140 * t11 + t141 * t14;
+    const double t143 = -0.866025403784438646764 * t139 + -0.5 * t142;
+    const double t144 = t26 * t136 + t29 * t143;
+    const double t145 = 0.701560760020114009797 * t134 + -0.684653196881457641821 * t144;
+    const double t146 = 0.19764235376052370825 * t126 + -0.795495128834865964951 * t129;
+    const double t147 = t146 + 0.572821961869480000824 * t133;
+    const double t148 = 0.5 * t139 + -0.866025403784438646764 * t142;
+    const double t149 = t104 * t147 + t107 * t148;
+    const double t150 = t145 + 0.19764235376052370825 * t149;
+    const double t151 = t4 * t93 + t5 * t71;
+    const double t152 = t132 * t9 - t131 * t10;
+    const double t153 = t128 * t37 - t127 * t39;
+    const double t154 = t124 * t123 - t122 * t125;
+    const double t155 = (0.125 * t152 + 0.405046293650491264435 * t153) + 0.905711046636839910857 * t154;
+    const double t156 = (double)f[30];
+    const double t157 = t141 * t11 - t140 * t14;
+    const double t158 = 0.484122918275927110647 * t156 + 0.661437827766147647625 * t157;
+    const double t159 = t138 * t73 - t137 * t75;
+    const double t160 = t158 + 0.572821961869480000824 * t159;
+    const double t161 = t7 * t155 + t16 * t160;
+    const double t162 = (0.405046293650491264435 * t152 + 0.8125 * t153) + -0.419262745781210568077 * t154;
+    const double t163 = 0.522912516583797217486 * t156 + 0.306186217847897262275 * t157;
+    const double t164 = t163 + -0.795495128834865964951 * t159;
+    const double t165 = t59 * t162 + t61 * t164;
+    const double t166 = 0.905711046636839910857 * t161 + -0.419262745781210568077 * t165;
+    const double t167 = t7 * t104 - t16 * t107;
+    const double t168 = 0.905711046636839910857 * t152 + -0.419262745781210568077 * t153;
+    const double t169 = t168 + 0.0625 * t154;
+    const double t170 = t7 * t107 + t16 * t104;
+    const double t171 = 0.701560760020114009797 * t156 + -0.684653196881457641821 * t157;
+    const double t172 = t171 + 0.19764235376052370825 * t159;
+    const double t173 = t167 * t169 + t170 * t172;
+    const double t174 = t166 + 0.0625 * t173;
+    out[25] = (prt_real)(t121 * t150 + t151 * t174);
+    const double t175 = t104 * t148 - t107 * t147;
+    const double t176 = t26 * t143 - t29 * t136;
+    const double t177 = 0.5 * t175 + -0.866025403784438646764 * t176;
+    const double t178 = t167 * t172 - t170 * t169;
+    const double t179 = t59 * t164 - t61 * t162;
+    const double t180 = 0.19764235376052370825 * t178 + -0.795495128834865964951 * t179;
+    const double t181 = t7 * t160 - t16 * t155;
+    const double t182 = t180 + 0.572821961869480000824 * t181;
+    out[26] = (prt_real)(t71 * t177 + t93 * t182);
+    const double t183 = 0.522912516583797217486 * t134 + 0.306186217847897262275 * t144;
+    const double t184 = t183 + -0.795495128834865964951 * t149;
+    const double t185 = (0.405046293650491264435 * t161 + 0.8125 * t165) + -0.419262745781210568077 * t173;
+    out[27] = (prt_real)(t35 * t184 + t51 * t185);
+    const double t186 = -0.866025403784438646764 * t175 + -0.5 * t176;
+    const double t187 = -0.684653196881457641821 * t178 + 0.306186217847897262275 * t179;
+    const double t188 = t187 + 0.661437827766147647625 * t181;
+    out[28] = (prt_real)(t6 * t186 + t22 * t188);
+    const double t189 = 0.484122918275927110647 * t134 + 0.661437827766147647625 * t144;
+    const double t190 = t189 + 0.572821961869480000824 * t149;
+    const double t191 = (0.125 * t161 + 0.405046293650491264435 * t165) + 0.905711046636839910857 * t173;
+    out[29] = (prt_real)(t4 * t190 + t5 * t191);
+    const double t192 = 0.701560760020114009797 * t178 + 0.522912516583797217486 * t179;
+    out[30] = (prt_real)(t192 + 0.484122918275927110647 * t181);
+    out[31] = (prt_real)(t4 * t191 - t5 * t190);
+    out[32] = (prt_real)(t6 * t188 - t22 * t186);
+    out[33] = (prt_real)(t35 * t185 - t51 * t184);
+    out[34] = (prt_real)(t71 * t182 - t93 * t177);
+    out[35] = (prt_real)(t121 * t174 - t151 * t150);
+    const double t193 = t4 * t121 - t5 * t151;
+    const double t194 = (double)f[36];
+    const double t195 = t9 * t123 - t10 * t125;
+    const double t196 = (double)f[48];
+    const double t197 = t9 * t125 + t10 * t123;
+    const double t198 = t194 * t195 + t196 * t197;
+    const double t199 = (double)f[38];
+    const double t200 = (double)f[46];
+    const double t201 = t199 * t73 + t200 * t75;
+    const double t202 = 0.879452954966893041481 * t198 + 0.433012701892219323382 * t201;
+    const double t203 = (double)f[40];
+    const double t204 = (double)f[44];
+    const double t205 = t203 * t11 + t204 * t14;
+    const double t206 = t202 + 0.19764235376052370825 * t205;
+    const double t207 = (double)f[37];
+    const double t208 = (double)f[47];
+    const double t209 = t207 * t123 + t208 * t125;
+    const double t210 = (double)f[39];
+    const double t211 = (double)f[45];
+    const double t212 = t210 * t37 + t211 * t39;
+    const double t213 = 0.507752400289747522529 * t209 + 0.59292706128157112475 * t212;
+    const double t214 = (double)f[41];
+    const double t215 = (double)f[43];
+    const double t216 = t214 * t9 + t215 * t10;
+    const double t217 = t213 + 0.625 * t216;
+    const double t218 = t7 * t206 + t16 * t217;
+    const double t219 = -0.463512405443478934294 * t198 + 0.684653196881457641821 * t201;
+    const double t220 = t219 + 0.5625 * t205;
+    const double t221 = (-0.802827036166570563757 * t209 + 0.0625 * t212) + 0.59292706128157112475 * t216;
+    const double t222 = t59 * t220 + t61 * t221;
+    const double t223 = 0.879452954966893041481 * t218 + -0.463512405443478934294 * t222;
+    const double t224 = 0.108253175473054830845 * t198 + -0.586301969977928694321 * t201;
+    const double t225 = t224 + 0.802827036166570563757 * t205;
+    const double t226 = (0.3125 * t209 + -0.802827036166570563757 * t212) + 0.507752400289747522529 * t216;
+    const double t227 = t167 * t225 + t170 * t226;
+    const double t228 = t223 + 0.108253175473054830845 * t227;
+    const double t229 = t4 * t151 + t5 * t121;
+    const double t230 = (double)f[42];
+    const double t231 = t204 * t11 - t203 * t14;
+    const double t232 = t200 * t73 - t199 * t75;
+    const double t233 = (-0.3125 * t230 + -0.452855523318419955429 * t231) + -0.496078370824610735719 * t232;
+    const double t234 = t196 * t195 - t194 * t197;
+    const double t235 = t233 + -0.671693289381396157476 * t234;
+    const double t236 = (-0.452855523318419955429 * t230 + -0.53125 * t231) + -0.171163299220364410455 * t232;
+    const double t237 = t236 + 0.695268608165218401442 * t234;
+    const double t238 = t215 * t9 - t214 * t10;
+    const double t239 = t211 * t37 - t210 * t39;
+    const double t240 = t208 * t123 - t207 * t125;
+    const double t241 = (0.19764235376052370825 * t238 + 0.5625 * t239) + 0.802827036166570563757 * t240;
+    const double t242 = t26 * t237 + t29 * t241;
+    const double t243 = -0.671693289381396157476 * t235 + 0.695268608165218401442 * t242;
+    const double t244 = -0.496078370824610735719 * t230 + -0.171163299220364410455 * t231;
+    const double t245 = (t244 + 0.8125 * t232) + -0.253876200144873761264 * t234;
+    const double t246 = 0.433012701892219323382 * t238 + 0.684653196881457641821 * t239;
+    const double t247 = t246 + -0.586301969977928694321 * t240;
+    const double t248 = t104 * t245 + t107 * t247;
+    const double t249 = t7 * t167 - t16 * t170;
+    const double t250 = -0.671693289381396157476 * t230 + 0.695268608165218401442 * t231;
+    const double t251 = (t250 + -0.253876200144873761264 * t232) + 0.03125 * t234;
+    const double t252 = t7 * t170 + t16 * t167;
+    const double t253 = 0.879452954966893041481 * t238 + -0.463512405443478934294 * t239;
+    const double t254 = t253 + 0.108253175473054830845 * t240;
+    const double t255 = t249 * t251 + t252 * t254;
+    const double t256 = (t243 + -0.253876200144873761264 * t248) + 0.03125 * t255;
+    out[36] = (prt_real)(t193 * t228 + t229 * t256);
+    const double t257 = t167 * t226 - t170 * t225;
+    const double t258 = t59 * t221 - t61 * t220;
+    const double t259 = t7 * t217 - t16 * t206;
+    const double t260 = (0.3125 * t257 + -0.802827036166570563757 * t258) + 0.507752400289747522529 * t259;
+    const double t261 = t249 * t254 - t252 * t251;
+    const double t262 = t104 * t247 - t107 * t245;
+    const double t263 = 0.108253175473054830845 * t261 + -0.586301969977928694321 * t262;
+    const double t264 = t26 * t241 - t29 * t237;
+    const double t265 = t263 + 0.802827036166570563757 * t264;
+    out[37] = (prt_real)(t121 * t260 + t151 * t265);
+    const double t266 = 0.433012701892219323382 * t218 + 0.684653196881457641821 * t222;
+    const double t267 = t266 + -0.586301969977928694321 * t227;
+    const double t268 = -0.496078370824610735719 * t235 + -0.171163299220364410455 * t242;
+    const double t269 = (t268 + 0.8125 * t248) + -0.253876200144873761264 * t255;
+    out[38] = (prt_real)(t71 * t267 + t93 * t269);
+    const double t270 = (-0.802827036166570563757 * t257 + 0.0625 * t258) + 0.59292706128157112475 * t259;
+    const double t271 = -0.463512405443478934294 * t261 + 0.684653196881457641821 * t262;
+    const double t272 = t271 + 0.5625 * t264;
+    out[39] = (prt_real)(t35 * t270 + t51 * t272);
+    const double t273 = (0.19764235376052370825 * t218 + 0.5625 * t222) + 0.802827036166570563757 * t227;
+    const double t274 = (-0.452855523318419955429 * t235 + -0.53125 * t242) + -0.171163299220364410455 * t248;
+    const double t275 = t274 + 0.695268608165218401442 * t255;
+    out[40] = (prt_real)(t6 * t273 + t22 * t275);
+    const double t276 = 0.507752400289747522529 * t257 + 0.59292706128157112475 * t258;
+    const double t277 = t276 + 0.625 * t259;
+    const double t278 = 0.879452954966893041481 * t261 + 0.433012701892219323382 * t262;
+    const double t279 = t278 + 0.19764235376052370825 * t264;
+    out[41] = (prt_real)(t4 * t277 + t5 * t279);
+    const double t280 = (-0.3125 * t235 + -0.452855523318419955429 * t242) + -0.496078370824610735719 * t248;
+    out[42] = (prt_real)(t280 + -0.671693289381396157476 * t255);
+    out[43] = (prt_real)(t4 * t279 - t5 * t277);
+    out[44] = (prt_real)(t6 * t275 - t22 * t273);
+    out[45] = (prt_real)(t35 * t272 - t51 * t270);
+    out[46] = (prt_real)(t71 * t269 - t93 * t267);
+    out[47] = (prt_real)(t121 * t265 - t151 * t260);
+    out[48] = (prt_real)(t193 * t256 - t229 * t228);
 }
 
 /* rotation of one vector by r and by turn, cos and sin of a, b, g, 8 bands: 738 multiplications, 428 additions (425 can fuse), 79 loads, 64 stores */
-PRT__STATIC void prt__sh_rotate_8(const prt_real *r, const prt_real *turn, const prt_real *f, 
-    prt_real *PRT__RESTRICT out) {
-    out[0] = f[0];
-    const prt_real t1 = f[1];
-    const prt_real t2 = f[2];
-    const prt_real t3 = f[3];
-    out[1] = (r[4] * t1 + r[5] * t2) + r[3] * t3;
-    out[2] = (r[7] * t1 + r[8] * t2) + r[6] * t3;
-    out[3] = (r[1] * t1 + r[2] * t2) + r[0] * t3;
-    const prt_real t4 = turn[0];
-    const prt_real t5 = turn[1];
-    const prt_real t6 = t4 * t4 - t5 * t5;
-    const prt_real t7 = turn[2];
-    const prt_real t8 = f[4];
-    const prt_real t9 = turn[4];
-    const prt_real t10 = turn[5];
-    const prt_real t11 = t9 * t9 - t10 * t10;
-    const prt_real t12 = f[8];
-    const prt_real t13 = t9 * t10;
-    const prt_real t14 = t13 + t13;
-    const prt_real t15 = t8 * t11 + t12 * t14;
-    const prt_real t16 = turn[3];
-    const prt_real t17 = f[5];
-    const prt_real t18 = f[7];
-    const prt_real t19 = t17 * t9 + t18 * t10;
-    const prt_real t20 = t7 * t15 + t16 * t19;
-    const prt_real t21 = t4 * t5;
-    const prt_real t22 = t21 + t21;
-    const prt_real t23 = f[6];
-    const prt_real t24 = t12 * t11 - t8 * t14;
-    const prt_real t25 = PRT__R(-0.5) * t23 + PRT__R(-0.866025403784438646764) * t24;
-    const prt_real t26 = t7 * t7 - t16 * t16;
-    const prt_real t27 = PRT__R(-0.866025403784438646764) * t23 + PRT__R(0.5) * t24;
-    const prt_real t28 = t7 * t16;
-    const prt_real t29 = t28 + t28;
-    const prt_real t30 = t18 * t9 - t17 * t10;
-    const prt_real t31 = t26 * t27 + t29 * t30;
-    const prt_real t32 = PRT__R(-0.866025403784438646764) * t25 + PRT__R(0.5) * t31;
-    out[4] = t6 * t20 + t22 * t32;
-    const prt_real t33 = t7 * t19 - t16 * t15;
-    const prt_real t34 = t26 * t30 - t29 * t27;
-    out[5] = t4 * t33 + t5 * t34;
-    out[6] = PRT__R(-0.5) * t25 + PRT__R(-0.866025403784438646764) * t31;
-    out[7] = t4 * t34 - t5 * t33;
-    out[8] = t6 * t32 - t22 * t20;
-    const prt_real t35 = t4 * t6 - t5 * t22;
-    const prt_real t36 = f[9];
-    const prt_real t37 = t9 * t11 - t10 * t14;
-    const prt_real t38 = f[15];
-    const prt_real t39 = t9 * t14 + t10 * t11;
-    const prt_real t40 = t36 * t37 + t38 * t39;
-    const prt_real t41 = f[11];
-    const prt_real t42 = f[13];
-    const prt_real t43 = t41 * t9 + t42 * t10;
-    const prt_real t44 = PRT__R(-0.790569415042094833) * t40 + PRT__R(-0.612372435695794524549) * t43;
-    const prt_real t45 = PRT__R(0.612372435695794524549) * t40 + PRT__R(-0.790569415042094833) * t43;
-    const prt_real t46 = f[10];
-    const prt_real t47 = f[14];
-    const prt_real t48 = t46 * t11 + t47 * t14;
-    const prt_real t49 = t26 * t45 + t29 * t48;
-    const prt_real t50 = PRT__R(-0.790569415042094833) * t44 + PRT__R(0.612372435695794524549) * t49;
-    const prt_real t51 = t4 * t22 + t5 * t6;
-    const prt_real t52 = t42 * t9 - t41 * t10;
-    const prt_real t53 = t38 * t37 - t36 * t39;
-    const prt_real t54 = PRT__R(-0.25) * t52 + PRT__R(-0.968245836551854221295) * t53;
-    const prt_real t55 = f[12];
-    const prt_real t56 = t47 * t11 - t46 * t14;
-    const prt_real t57 = PRT__R(-0.612372435695794524549) * t55 + PRT__R(-0.790569415042094833) * t56;
-    const prt_real t58 = t7 * t54 + t16 * t57;
-    const prt_real t59 = t7 * t26 - t16 * t29;
-    const prt_real t60 = PRT__R(-0.968245836551854221295) * t52 + PRT__R(0.25) * t53;
-    const prt_real t61 = t7 * t29 + t16 * t26;
-    const prt_real t62 = PRT__R(-0.790569415042094833) * t55 + PRT__R(0.612372435695794524549) * t56;
-    const prt_real t63 = t59 * t60 + t61 * t62;
-    const prt_real t64 = PRT__R(-0.968245836551854221295) * t58 + PRT__R(0.25) * t63;
-    out[9] = t35 * t50 + t51 * t64;
-    const prt_real t65 = t26 * t48 - t29 * t45;
-    const prt_real t66 = t59 * t62 - t61 * t60;
-    const prt_real t67 = t7 * t57 - t16 * t54;
-    const prt_real t68 = PRT__R(0.612372435695794524549) * t66 + PRT__R(-0.790569415042094833) * t67;
-    out[10] = t6 * t65 + t22 * t68;
-    const prt_real t69 = PRT__R(-0.612372435695794524549) * t44 + PRT__R(-0.790569415042094833) * t49;
-    const prt_real t70 = PRT__R(-0.25) * t58 + PRT__R(-0.968245836551854221295) * t63;
-    out[11] = t4 * t69 + t5 * t70;
-    out[12] = PRT__R(-0.790569415042094833) * t66 + PRT__R(-0.612372435695794524549) * t67;
-    out[13] = t4 * t70 - t5 * t69;
-    out[14] = t6 * t68 - t22 * t65;
-    out[15] = t35 * t64 - t51 * t50;
-    const prt_real t71 = t4 * t35 - t5 * t51;
-    const prt_real t72 = f[16];
-    const prt_real t73 = t9 * t37 - t10 * t39;
-    const prt_real t74 = f[24];
-    const prt_real t75 = t9 * t39 + t10 * t37;
-    const prt_real t76 = t72 * t73 + t74 * t75;
-    const prt_real t77 = f[18];
-    const prt_real t78 = f[22];
-    const prt_real t79 = t77 * t11 + t78 * t14;
-    const prt_real t80 = PRT__R(-0.935414346693485346396) * t76 + PRT__R(-0.3535533905932737622) * t79;
-    const prt_real t81 = f[17];
-    const prt_real t82 = f[23];
-    const prt_real t83 = t81 * t37 + t82 * t39;
-    const prt_real t84 = f[19];
-    const prt_real t85 = f[21];
-    const prt_real t86 = t84 * t9 + t85 * t10;
-    const prt_real t87 = PRT__R(-0.661437827766147647625) * t83 + PRT__R(-0.75) * t86;
-    const prt_real t88 = t7 * t80 + t16 * t87;
-    const prt_real t89 = PRT__R(0.3535533905932737622) * t76 + PRT__R(-0.935414346693485346396) * t79;
-    const prt_real t90 = PRT__R(0.75) * t83 + PRT__R(-0.661437827766147647625) * t86;
-    const prt_real t91 = t59 * t89 + t61 * t90;
-    const prt_real t92 = PRT__R(-0.935414346693485346396) * t88 + PRT__R(0.3535533905932737622) * t91;
-    const prt_real t93 = t4 * t51 + t5 * t35;
-    const prt_real t94 = f[20];
-    const prt_real t95 = t78 * t11 - t77 * t14;
-    const prt_real t96 = PRT__R(0.375) * t94 + PRT__R(0.559016994374947424102) * t95;
-    const prt_real t97 = t74 * t73 - t72 * t75;
-    const prt_real t98 = t96 + PRT__R(0.739509972887452005321) * t97;
-    const prt_real t99 = (PRT__R(0.559016994374947424102) * t94 + PRT__R(0.5) * t95) + PRT__R(-0.661437827766147647625) * t97;
-    const prt_real t100 = t85 * t9 - t84 * t10;
-    const prt_real t101 = t82 * t37 - t81 * t39;
-    const prt_real t102 = PRT__R(-0.3535533905932737622) * t100 + PRT__R(-0.935414346693485346396) * t101;
-    const prt_real t103 = t26 * t99 + t29 * t102;
-    const prt_real t104 = PRT__R(0.739509972887452005321) * t98 + PRT__R(-0.661437827766147647625) * t103;
-    const prt_real t105 = t7 * t59 - t16 * t61;
-    const prt_real t106 = PRT__R(0.739509972887452005321) * t94 + PRT__R(-0.661437827766147647625) * t95;
-    const prt_real t107 = t106 + PRT__R(0.125) * t97;
-    const prt_real t108 = t7 * t61 + t16 * t59;
-    const prt_real t109 = PRT__R(-0.935414346693485346396) * t100 + PRT__R(0.3535533905932737622) * t101;
-    const prt_real t110 = t105 * t107 + t108 * t109;
-    const prt_real t111 = t104 + PRT__R(0.125) * t110;
-    out[16] = t71 * t92 + t93 * t111;
-    const prt_real t112 = t59 * t90 - t61 * t89;
-    const prt_real t113 = t7 * t87 - t16 * t80;
-    const prt_real t114 = PRT__R(0.75) * t112 + PRT__R(-0.661437827766147647625) * t113;
-    const prt_real t115 = t105 * t109 - t108 * t107;
-    const prt_real t116 = t26 * t102 - t29 * t99;
-    const prt_real t117 = PRT__R(0.3535533905932737622) * t115 + PRT__R(-0.935414346693485346396) * t116;
-    out[17] = t35 * t114 + t51 * t117;
-    const prt_real t118 = PRT__R(-0.3535533905932737622) * t88 + PRT__R(-0.935414346693485346396) * t91;
-    const prt_real t119 = (PRT__R(0.559016994374947424102) * t98 + PRT__R(0.5) * t103) + PRT__R(-0.661437827766147647625) * t110;
-    out[18] = t6 * t118 + t22 * t119;
-    const prt_real t120 = PRT__R(-0.661437827766147647625) * t112 + PRT__R(-0.75) * t113;
-    const prt_real t121 = PRT__R(-0.935414346693485346396) * t115 + PRT__R(-0.3535533905932737622) * t116;
-    out[19] = t4 * t120 + t5 * t121;
-    const prt_real t122 = PRT__R(0.375) * t98 + PRT__R(0.559016994374947424102) * t103;
-    out[20] = t122 + PRT__R(0.739509972887452005321) * t110;
-    out[21] = t4 * t121 - t5 * t120;
-    out[22] = t6 * t119 - t22 * t118;
-    out[23] = t35 * t117 - t51 * t114;
-    out[24] = t71 * t111 - t93 * t92;
-    const prt_real t123 = t4 * t71 - t5 * t93;
-    const prt_real t124 = f[25];
-    const prt_real t125 = t9 * t73 - t10 * t75;
-    const prt_real t126 = f[35];
-    const prt_real t127 = t9 * t75 + t10 * t73;
-    const prt_real t128 = t124 * t125 + t126 * t127;
-    const prt_real t129 = f[27];
-    const prt_real t130 = f[33];
-    const prt_real t131 = t129 * t37 + t130 * t39;
-    const prt_real t132 = PRT__R(0.701560760020114009797) * t128 + PRT__R(0.522912516583797217486) * t131;
-    const prt_real t133 = f[29];
-    const prt_real t134 = f[31];
-    const prt_real t135 = t133 * t9 + t134 * t10;
-    const prt_real t136 = t132 + PRT__R(0.484122918275927110647) * t135;
-    const prt_real t137 = PRT__R(-0.684653196881457641821) * t128 + PRT__R(0.306186217847897262275) * t131;
-    const prt_real t138 = t137 + PRT__R(0.661437827766147647625) * t135;
-    const prt_real t139 = f[26];
-    const prt_real t140 = f[34];
-    const prt_real t141 = t139 * t73 + t140 * t75;
-    const prt_real t142 = f[28];
-    const prt_real t143 = f[32];
-    const prt_real t144 = t142 * t11 + t143 * t14;
-    const prt_real t145 = PRT__R(-0.866025403784438646764) * t141 + PRT__R(-0.5) * t144;
-    const prt_real t146 = t26 * t138 + t29 * t145;
-    const prt_real t147 = PRT__R(0.701560760020114009797) * t136 + PRT__R(-0.684653196881457641821) * t146;
-    const prt_real t148 = PRT__R(0.19764235376052370825) * t128 + PRT__R(-0.795495128834865964951) * t131;
-    const prt_real t149 = t148 + PRT__R(0.572821961869480000824) * t135;
-    const prt_real t150 = PRT__R(0.5) * t141 + PRT__R(-0.866025403784438646764) * t144;
-    const prt_real t151 = t105 * t149 + t108 * t150;
-    const prt_real t152 = t147 + PRT__R(0.19764235376052370825) * t151;
-    const prt_real t153 = t4 * t93 + t5 * t71;
-    const prt_real t154 = t134 * t9 - t133 * t10;
-    const prt_real t155 = t130 * t37 - t129 * t39;
-    const prt_real t156 = PRT__R(0.125) * t154 + PRT__R(0.405046293650491264435) * t155;
-    const prt_real t157 = t126 * t125 - t124 * t127;
-    const prt_real t158 = t156 + PRT__R(0.905711046636839910857) * t157;
-    const prt_real t159 = f[30];
-    const prt_real t160 = t143 * t11 - t142 * t14;
-    const prt_real t161 = PRT__R(0.484122918275927110647) * t159 + PRT__R(0.661437827766147647625) * t160;
-    const prt_real t162 = t140 * t73 - t139 * t75;
-    const prt_real t163 = t161 + PRT__R(0.572821961869480000824) * t162;
-    const prt_real t164 = t7 * t158 + t16 * t163;
-    const prt_real t165 = PRT__R(0.405046293650491264435) * t154 + PRT__R(0.8125) * t155;
-    const prt_real t166 = t165 + PRT__R(-0.419262745781210568077) * t157;
-    const prt_real t167 = PRT__R(0.522912516583797217486) * t159 + PRT__R(0.306186217847897262275) * t160;
-    const prt_real t168 = t167 + PRT__R(-0.795495128834865964951) * t162;
-    const prt_real t169 = t59 * t166 + t61 * t168;
-    const prt_real t170 = PRT__R(0.905711046636839910857) * t164 + PRT__R(-0.419262745781210568077) * t169;
-    const prt_real t171 = t7 * t105 - t16 * t108;
-    const prt_real t172 = PRT__R(0.905711046636839910857) * t154 + PRT__R(-0.419262745781210568077) * t155;
-    const prt_real t173 = t172 + PRT__R(0.0625) * t157;
-    const prt_real t174 = t7 * t108 + t16 * t105;
-    const prt_real t175 = PRT__R(0.701560760020114009797) * t159 + PRT__R(-0.684653196881457641821) * t160;
-    const prt_real t176 = t175 + PRT__R(0.19764235376052370825) * t162;
-    const prt_real t177 = t171 * t173 + t174 * t176;
-    const prt_real t178 = t170 + PRT__R(0.0625) * t177;
-    out[25] = t123 * t152 + t153 * t178;
-    const prt_real t179 = t105 * t150 - t108 * t149;
-    const prt_real t180 = t26 * t145 - t29 * t138;
-    const prt_real t181 = PRT__R(0.5) * t179 + PRT__R(-0.866025403784438646764) * t180;
-    const prt_real t182 = t171 * t176 - t174 * t173;
-    const prt_real t183 = t59 * t168 - t61 * t166;
-    const prt_real t184 = PRT__R(0.19764235376052370825) * t182 + PRT__R(-0.795495128834865964951) * t183;
-    const prt_real t185 = t7 * t163 - t16 * t158;
-    const prt_real t186 = t184 + PRT__R(0.572821961869480000824) * t185;
-    out[26] = t71 * t181 + t93 * t186;
-    const prt_real t187 = PRT__R(0.522912516583797217486) * t136 + PRT__R(0.306186217847897262275) * t146;
-    const prt_real t188 = t187 + PRT__R(-0.795495128834865964951) * t151;
-    const prt_real t189 = PRT__R(0.405046293650491264435) * t164 + PRT__R(0.8125) * t169;
-    const prt_real t190 = t189 + PRT__R(-0.419262745781210568077) * t177;
-    out[27] = t35 * t188 + t51 * t190;
-    const prt_real t191 = PRT__R(-0.866025403784438646764) * t179 + PRT__R(-0.5) * t180;
-    const prt_real t192 = PRT__R(-0.684653196881457641821) * t182 + PRT__R(0.306186217847897262275) * t183;
-    const prt_real t193 = t192 + PRT__R(0.661437827766147647625) * t185;
-    out[28] = t6 * t191 + t22 * t193;
-    const prt_real t194 = PRT__R(0.484122918275927110647) * t136 + PRT__R(0.661437827766147647625) * t146;
-    const prt_real t195 = t194 + PRT__R(0.572821961869480000824) * t151;
-    const prt_real t196 = PRT__R(0.125) * t164 + PRT__R(0.405046293650491264435) * t169;
-    const prt_real t197 = t196 + PRT__R(0.905711046636839910857) * t177;
-    out[29] = t4 * t195 + t5 * t197;
-    const prt_real t198 = PRT__R(0.701560760020114009797) * t182 + PRT__R(0.522912516583797217486) * t183;
-    out[30] = t198 + PRT__R(0.484122918275927110647) * t185;
-    out[31] = t4 * t197 - t5 * t195;
-    out[32] = t6 * t193 - t22 * t191;
-    out[33] = t35 * t190 - t51 * t188;
-    out[34] = t71 * t186 - t93 * t181;
-    out[35] = t123 * t178 - t153 * t152;
-    const prt_real t199 = t4 * t123 - t5 * t153;
-    const prt_real t200 = f[36];
-    const prt_real t201 = t9 * t125 - t10 * t127;
-    const prt_real t202 = f[48];
-    const prt_real t203 = t9 * t127 + t10 * t125;
-    const prt_real t204 = t200 * t201 + t202 * t203;
-    const prt_real t205 = f[38];
-    const prt_real t206 = f[46];
-    const prt_real t207 = t205 * t73 + t206 * t75;
-    const prt_real t208 = PRT__R(0.879452954966893041481) * t204 + PRT__R(0.433012701892219323382) * t207;
-    const prt_real t209 = f[40];
-    const prt_real t210 = f[44];
-    const prt_real t211 = t209 * t11 + t210 * t14;
-    const prt_real t212 = t208 + PRT__R(0.19764235376052370825) * t211;
-    const prt_real t213 = f[37];
-    const prt_real t214 = f[47];
-    const prt_real t215 = t213 * t125 + t214 * t127;
-    const prt_real t216 = f[39];
-    const prt_real t217 = f[45];
-    const prt_real t218 = t216 * t37 + t217 * t39;
-    const prt_real t219 = PRT__R(0.507752400289747522529) * t215 + PRT__R(0.59292706128157112475) * t218;
-    const prt_real t220 = f[41];
-    const prt_real t221 = f[43];
-    const prt_real t222 = t220 * t9 + t221 * t10;
-    const prt_real t223 = t219 + PRT__R(0.625) * t222;
-    const prt_real t224 = t7 * t212 + t16 * t223;
-    const prt_real t225 = PRT__R(-0.463512405443478934294) * t204 + PRT__R(0.684653196881457641821) * t207;
-    const prt_real t226 = t225 + PRT__R(0.5625) * t211;
-    const prt_real t227 = PRT__R(-0.802827036166570563757) * t215 + PRT__R(0.0625) * t218;
-    const prt_real t228 = t227 + PRT__R(0.59292706128157112475) * t222;
-    const prt_real t229 = t59 * t226 + t61 * t228;
-    const prt_real t230 = PRT__R(0.879452954966893041481) * t224 + PRT__R(-0.463512405443478934294) * t229;
-    const prt_real t231 = PRT__R(0.108253175473054830845) * t204 + PRT__R(-0.586301969977928694321) * t207;
-    const prt_real t232 = t231 + PRT__R(0.802827036166570563757) * t211;
-    const prt_real t233 = PRT__R(0.3125) * t215 + PRT__R(-0.802827036166570563757) * t218;
-    const prt_real t234 = t233 + PRT__R(0.507752400289747522529) * t222;
-    const prt_real t235 = t171 * t232 + t174 * t234;
-    const prt_real t236 = t230 + PRT__R(0.108253175473054830845) * t235;
-    const prt_real t237 = t4 * t153 + t5 * t123;
-    const prt_real t238 = f[42];
-    const prt_real t239 = t210 * t11 - t209 * t14;
-    const prt_real t240 = PRT__R(-0.3125) * t238 + PRT__R(-0.452855523318419955429) * t239;
-    const prt_real t241 = t206 * t73 - t205 * t75;
-    const prt_real t242 = t202 * t201 - t200 * t203;
-    const prt_real t243 = (t240 + PRT__R(-0.496078370824610735719) * t241) + PRT__R(-0.671693289381396157476) * t242;
-    const prt_real t244 = PRT__R(-0.452855523318419955429) * t238 + PRT__R(-0.53125) * t239;
-    const prt_real t245 = (t244 + PRT__R(-0.171163299220364410455) * t241) + PRT__R(0.695268608165218401442) * t242;
-    const prt_real t246 = t221 * t9 - t220 * t10;
-    const prt_real t247 = t217 * t37 - t216 * t39;
-    const prt_real t248 = PRT__R(0.19764235376052370825) * t246 + PRT__R(0.5625) * t247;
-    const prt_real t249 = t214 * t125 - t213 * t127;
-    const prt_real t250 = t248 + PRT__R(0.802827036166570563757) * t249;
-    const prt_real t251 = t26 * t245 + t29 * t250;
-    const prt_real t252 = PRT__R(-0.671693289381396157476) * t243 + PRT__R(0.695268608165218401442) * t251;
-    const prt_real t253 = PRT__R(-0.496078370824610735719) * t238 + PRT__R(-0.171163299220364410455) * t239;
-    const prt_real t254 = (t253 + PRT__R(0.8125) * t241) + PRT__R(-0.253876200144873761264) * t242;
-    const prt_real t255 = PRT__R(0.433012701892219323382) * t246 + PRT__R(0.684653196881457641821) * t247;
-    const prt_real t256 = t255 + PRT__R(-0.586301969977928694321) * t249;
-    const prt_real t257 = t105 * t254 + t108 * t256;
-    const prt_real t258 = t7 * t171 - t16 * t174;
-    const prt_real t259 = PRT__R(-0.671693289381396157476) * t238 + PRT__R(0.695268608165218401442) * t239;
-    const prt_real t260 = (t259 + PRT__R(-0.253876200144873761264) * t241) + PRT__R(0.03125) * t242;
-    const prt_real t261 = t7 * t174 + t16 * t171;
-    const prt_real t262 = PRT__R(0.879452954966893041481) * t246 + PRT__R(-0.463512405443478934294) * t247;
-    const prt_real t263 = t262 + PRT__R(0.108253175473054830845) * t249;
-    const prt_real t264 = t258 * t260 + t261 * t263;
-    const prt_real t265 = (t252 + PRT__R(-0.253876200144873761264) * t257) + PRT__R(0.03125) * t264;
-    out[36] = t199 * t236 + t237 * t265;
-    const prt_real t266 = t171 * t234 - t174 * t232;
-    const prt_real t267 = t59 * t228 - t61 * t226;
-    const prt_real t268 = PRT__R(0.3125) * t266 + PRT__R(-0.802827036166570563757) * t267;
-    const prt_real t269 = t7 * t223 - t16 * t212;
-    const prt_real t270 = t268 + PRT__R(0.507752400289747522529) * t269;
-    const prt_real t271 = t258 * t263 - t261 * t260;
-    const prt_real t272 = t105 * t256 - t108 * t254;
-    const prt_real t273 = PRT__R(0.108253175473054830845) * t271 + PRT__R(-0.586301969977928694321) * t272;
-    const prt_real t274 = t26 * t250 - t29 * t245;
-    const prt_real t275 = t273 + PRT__R(0.802827036166570563757) * t274;
-    out[37] = t123 * t270 + t153 * t275;
-    const prt_real t276 = PRT__R(0.433012701892219323382) * t224 + PRT__R(0.684653196881457641821) * t229;
-    const prt_real t277 = t276 + PRT__R(-0.586301969977928694321) * t235;
-    const prt_real t278 = PRT__R(-0.496078370824610735719) * t243 + PRT__R(-0.171163299220364410455) * t251;
-    const prt_real t279 = (t278 + PRT__R(0.8125) * t257) + PRT__R(-0.253876200144873761264) * t264;
-    out[38] = t71 * t277 + t93 * t279;
-    const prt_real t280 = PRT__R(-0.802827036166570563757) * t266 + PRT__R(0.0625) * t267;
-    const prt_real t281 = t280 + PRT__R(0.59292706128157112475) * t269;
-    const prt_real t282 = PRT__R(-0.463512405443478934294) * t271 + PRT__R(0.684653196881457641821) * t272;
-    const prt_real t283 = t282 + PRT__R(0.5625) * t274;
-    out[39] = t35 * t281 + t51 * t283;
-    const prt_real t284 = PRT__R(0.19764235376052370825) * t224 + PRT__R(0.5625) * t229;
-    const prt_real t285 = t284 + PRT__R(0.802827036166570563757) * t235;
-    const prt_real t286 = PRT__R(-0.452855523318419955429) * t243 + PRT__R(-0.53125) * t251;
-    const prt_real t287 = (t286 + PRT__R(-0.171163299220364410455) * t257) + PRT__R(0.695268608165218401442) * t264;
-    out[40] = t6 * t285 + t22 * t287;
-    const prt_real t288 = PRT__R(0.507752400289747522529) * t266 + PRT__R(0.59292706128157112475) * t267;
-    const prt_real t289 = t288 + PRT__R(0.625) * t269;
-    const prt_real t290 = PRT__R(0.879452954966893041481) * t271 + PRT__R(0.433012701892219323382) * t272;
-    const prt_real t291 = t290 + PRT__R(0.19764235376052370825) * t274;
-    out[41] = t4 * t289 + t5 * t291;
-    const prt_real t292 = PRT__R(-0.3125) * t243 + PRT__R(-0.452855523318419955429) * t251;
-    out[42] = (t292 + PRT__R(-0.496078370824610735719) * t257) + PRT__R(-0.671693289381396157476) * t264;
-    out[43] = t4 * t291 - t5 * t289;
-    out[44] = t6 * t287 - t22 * t285;
-    out[45] = t35 * t283 - t51 * t281;
-    out[46] = t71 * t279 - t93 * t277;
-    out[47] = t123 * t275 - t153 * t270;
-    out[48] = t199 * t265 - t237 * t236;
-    const prt_real t293 = t4 * t199 - t5 * t237;
-    const prt_real t294 = f[49];
-    const prt_real t295 = t9 * t201 - t10 * t203;
-    const prt_real t296 = f[63];
-    const prt_real t297 = t9 * t203 + t10 * t201;
-    const prt_real t298 = t294 * t295 + t296 * t297;
-    const prt_real t299 = f[51];
-    const prt_real t300 = f[61];
-    const prt_real t301 = t299 * t125 + t300 * t127;
-    const prt_real t302 = PRT__R(-0.64725984928774934788) * t298 + PRT__R(-0.47495887979908323849) * t301;
-    const prt_real t303 = f[53];
-    const prt_real t304 = f[59];
-    const prt_real t305 = t303 * t37 + t304 * t39;
-    const prt_real t306 = f[55];
-    const prt_real t307 = f[57];
-    const prt_real t308 = t306 * t9 + t307 * t10;
-    const prt_real t309 = (t302 + PRT__R(-0.429616471402110000618) * t305) + PRT__R(-0.413398642353842279766) * t308;
-    const prt_real t310 = PRT__R(0.699120541287409177209) * t298 + PRT__R(-0.0732877462472410867901) * t301;
-    const prt_real t311 = (t310 + PRT__R(-0.419844651329512592613) * t305) + PRT__R(-0.574099158464807366765) * t308;
-    const prt_real t312 = f[50];
-    const prt_real t313 = f[62];
-    const prt_real t314 = t312 * t201 + t313 * t203;
-    const prt_real t315 = f[52];
-    const prt_real t316 = f[60];
-    const prt_real t317 = t315 * t73 + t316 * t75;
-    const prt_real t318 = PRT__R(0.747391296443837376321) * t314 + PRT__R(0.586301969977928694321) * t317;
-    const prt_real t319 = f[54];
-    const prt_real t320 = f[58];
-    const prt_real t321 = t319 * t11 + t320 * t14;
-    const prt_real t322 = t318 + PRT__R(0.3125) * t321;
-    const prt_real t323 = t26 * t311 + t29 * t322;
-    const prt_real t324 = PRT__R(-0.64725984928774934788) * t309 + PRT__R(0.699120541287409177209) * t323;
-    const prt_real t325 = PRT__R(-0.29810600044279551536) * t298 + PRT__R(0.78125) * t301;
-    const prt_real t326 = (t325 + PRT__R(0.103644524698606245285) * t305) + PRT__R(-0.538552748112940186861) * t308;
-    const prt_real t327 = PRT__R(-0.637377439199098103754) * t314 + PRT__R(0.5) * t317;
-    const prt_real t328 = t327 + PRT__R(0.586301969977928694321) * t321;
-    const prt_real t329 = t105 * t326 + t108 * t328;
-    const prt_real t330 = PRT__R(0.0584633966683428341497) * t298 + PRT__R(-0.398360899499436314846) * t301;
-    const prt_real t331 = (t330 + PRT__R(0.792728180872863885852) * t305) + PRT__R(-0.457681828621150306643) * t308;
-    const prt_real t332 = PRT__R(0.1875) * t314 + PRT__R(-0.637377439199098103754) * t317;
-    const prt_real t333 = t332 + PRT__R(0.747391296443837376321) * t321;
-    const prt_real t334 = t258 * t331 + t261 * t333;
-    const prt_real t335 = (t324 + PRT__R(-0.29810600044279551536) * t329) + PRT__R(0.0584633966683428341497) * t334;
-    const prt_real t336 = t4 * t237 + t5 * t199;
-    const prt_real t337 = t307 * t9 - t306 * t10;
-    const prt_real t338 = t304 * t37 - t303 * t39;
-    const prt_real t339 = PRT__R(-0.078125) * t337 + PRT__R(-0.243569644814373369402) * t338;
-    const prt_real t340 = t300 * t125 - t299 * t127;
-    const prt_real t341 = t296 * t295 - t294 * t297;
-    const prt_real t342 = (t339 + PRT__R(-0.448793956760783489051) * t340) + PRT__R(-0.856244297426266074633) * t341;
-    const prt_real t343 = f[56];
-    const prt_real t344 = t320 * t11 - t319 * t14;
-    const prt_real t345 = PRT__R(-0.413398642353842279766) * t343 + PRT__R(-0.574099158464807366765) * t344;
-    const prt_real t346 = t316 * t73 - t315 * t75;
-    const prt_real t347 = t313 * t201 - t312 * t203;
-    const prt_real t348 = (t345 + PRT__R(-0.538552748112940186861) * t346) + PRT__R(-0.457681828621150306643) * t347;
-    const prt_real t349 = t7 * t342 + t16 * t348;
-    const prt_real t350 = PRT__R(-0.243569644814373369402) * t337 + PRT__R(-0.609375) * t338;
-    const prt_real t351 = (t350 + PRT__R(-0.570044885842334349067) * t340) + PRT__R(0.494352875611136705361) * t341;
-    const prt_real t352 = PRT__R(-0.429616471402110000618) * t343 + PRT__R(-0.419844651329512592613) * t344;
-    const prt_real t353 = (t352 + PRT__R(0.103644524698606245285) * t346) + PRT__R(0.792728180872863885852) * t347;
-    const prt_real t354 = t59 * t351 + t61 * t353;
-    const prt_real t355 = PRT__R(-0.856244297426266074633) * t349 + PRT__R(0.494352875611136705361) * t354;
-    const prt_real t356 = PRT__R(-0.448793956760783489051) * t337 + PRT__R(-0.570044885842334349067) * t338;
-    const prt_real t357 = (t356 + PRT__R(0.671875) * t340) + PRT__R(-0.14905300022139775768) * t341;
-    const prt_real t358 = PRT__R(-0.47495887979908323849) * t343 + PRT__R(-0.0732877462472410867901) * t344;
-    const prt_real t359 = (t358 + PRT__R(0.78125) * t346) + PRT__R(-0.398360899499436314846) * t347;
-    const prt_real t360 = t171 * t357 + t174 * t359;
-    const prt_real t361 = t7 * t258 - t16 * t261;
-    const prt_real t362 = PRT__R(-0.856244297426266074633) * t337 + PRT__R(0.494352875611136705361) * t338;
-    const prt_real t363 = (t362 + PRT__R(-0.14905300022139775768) * t340) + PRT__R(0.015625) * t341;
-    const prt_real t364 = t7 * t261 + t16 * t258;
-    const prt_real t365 = PRT__R(-0.64725984928774934788) * t343 + PRT__R(0.699120541287409177209) * t344;
-    const prt_real t366 = (t365 + PRT__R(-0.29810600044279551536) * t346) + PRT__R(0.0584633966683428341497) * t347;
-    const prt_real t367 = t361 * t363 + t364 * t366;
-    const prt_real t368 = (t355 + PRT__R(-0.14905300022139775768) * t360) + PRT__R(0.015625) * t367;
-    out[49] = t293 * t335 + t336 * t368;
-    const prt_real t369 = t258 * t333 - t261 * t331;
-    const prt_real t370 = t105 * t328 - t108 * t326;
-    const prt_real t371 = PRT__R(0.1875) * t369 + PRT__R(-0.637377439199098103754) * t370;
-    const prt_real t372 = t26 * t322 - t29 * t311;
-    const prt_real t373 = t371 + PRT__R(0.747391296443837376321) * t372;
-    const prt_real t374 = t361 * t366 - t364 * t363;
-    const prt_real t375 = t171 * t359 - t174 * t357;
-    const prt_real t376 = PRT__R(0.0584633966683428341497) * t374 + PRT__R(-0.398360899499436314846) * t375;
-    const prt_real t377 = t59 * t353 - t61 * t351;
-    const prt_real t378 = t7 * t348 - t16 * t342;
-    const prt_real t379 = (t376 + PRT__R(0.792728180872863885852) * t377) + PRT__R(-0.457681828621150306643) * t378;
-    out[50] = t199 * t373 + t237 * t379;
-    const prt_real t380 = PRT__R(-0.47495887979908323849) * t309 + PRT__R(-0.0732877462472410867901) * t323;
-    const prt_real t381 = (t380 + PRT__R(0.78125) * t329) + PRT__R(-0.398360899499436314846) * t334;
-    const prt_real t382 = PRT__R(-0.448793956760783489051) * t349 + PRT__R(-0.570044885842334349067) * t354;
-    const prt_real t383 = (t382 + PRT__R(0.671875) * t360) + PRT__R(-0.14905300022139775768) * t367;
-    out[51] = t123 * t381 + t153 * t383;
-    const prt_real t384 = PRT__R(-0.637377439199098103754) * t369 + PRT__R(0.5) * t370;
-    const prt_real t385 = t384 + PRT__R(0.586301969977928694321) * t372;
-    const prt_real t386 = PRT__R(-0.29810600044279551536) * t374 + PRT__R(0.78125) * t375;
-    const prt_real t387 = (t386 + PRT__R(0.103644524698606245285) * t377) + PRT__R(-0.538552748112940186861) * t378;
-    out[52] = t71 * t385 + t93 * t387;
-    const prt_real t388 = PRT__R(-0.429616471402110000618) * t309 + PRT__R(-0.419844651329512592613) * t323;
-    const prt_real t389 = (t388 + PRT__R(0.103644524698606245285) * t329) + PRT__R(0.792728180872863885852) * t334;
-    const prt_real t390 = PRT__R(-0.243569644814373369402) * t349 + PRT__R(-0.609375) * t354;
-    const prt_real t391 = (t390 + PRT__R(-0.570044885842334349067) * t360) + PRT__R(0.494352875611136705361) * t367;
-    out[53] = t35 * t389 + t51 * t391;
-    const prt_real t392 = PRT__R(0.747391296443837376321) * t369 + PRT__R(0.586301969977928694321) * t370;
-    const prt_real t393 = t392 + PRT__R(0.3125) * t372;
-    const prt_real t394 = PRT__R(0.699120541287409177209) * t374 + PRT__R(-0.0732877462472410867901) * t375;
-    const prt_real t395 = (t394 + PRT__R(-0.419844651329512592613) * t377) + PRT__R(-0.574099158464807366765) * t378;
-    out[54] = t6 * t393 + t22 * t395;
-    const prt_real t396 = PRT__R(-0.413398642353842279766) * t309 + PRT__R(-0.574099158464807366765) * t323;
-    const prt_real t397 = (t396 + PRT__R(-0.538552748112940186861) * t329) + PRT__R(-0.457681828621150306643) * t334;
-    const prt_real t398 = PRT__R(-0.078125) * t349 + PRT__R(-0.243569644814373369402) * t354;
-    const prt_real t399 = (t398 + PRT__R(-0.448793956760783489051) * t360) + PRT__R(-0.856244297426266074633) * t367;
-    out[55] = t4 * t397 + t5 * t399;
-    const prt_real t400 = PRT__R(-0.64725984928774934788) * t374 + PRT__R(-0.47495887979908323849) * t375;
-    out[56] = (t400 + PRT__R(-0.429616471402110000618) * t377) + PRT__R(-0.413398642353842279766) * t378;
-    out[57] = t4 * t399 - t5 * t397;
-    out[58] = t6 * t395 - t22 * t393;
-    out[59] = t35 * t391 - t51 * t389;
-    out[60] = t71 * t387 - t93 * t385;
-    out[61] = t123 * t383 - t153 * t381;
-    out[62] = t199 * t379 - t237 * t373;
-    out[63] = t293 * t368 - t336 * t335;
+PRT__STATIC void prt__sh_rotate_8(const prt_real *r, const double *turn, const prt_real *f, prt_real *PRT__RESTRICT out) {
+    out[0] = (prt_real)((double)f[0]);
+    const double t1 = (double)f[1];
+    const double t2 = (double)f[2];
+    const double t3 = (double)f[3];
+    out[1] = (prt_real)(((double)r[4] * t1 + (double)r[5] * t2) + (double)r[3] * t3);
+    out[2] = (prt_real)(((double)r[7] * t1 + (double)r[8] * t2) + (double)r[6] * t3);
+    out[3] = (prt_real)(((double)r[1] * t1 + (double)r[2] * t2) + (double)r[0] * t3);
+    const double t4 = turn[0];
+    const double t5 = turn[1];
+    const double t6 = t4 * t4 - t5 * t5;
+    const double t7 = turn[2];
+    const double t8 = (double)f[4];
+    const double t9 = turn[4];
+    const double t10 = turn[5];
+    const double t11 = t9 * t9 - t10 * t10;
+    const double t12 = (double)f[8];
+    const double t13 = t9 * t10;
+    const double t14 = t13 + t13;
+    const double t15 = t8 * t11 + t12 * t14;
+    const double t16 = turn[3];
+    const double t17 = (double)f[5];
+    const double t18 = (double)f[7];
+    const double t19 = t17 * t9 + t18 * t10;
+    const double t20 = t7 * t15 + t16 * t19;
+    const double t21 = t4 * t5;
+    const double t22 = t21 + t21;
+    const double t23 = (double)f[6];
+    const double t24 = t12 * t11 - t8 * t14;
+    const double t25 = -0.5 * t23 + -0.866025403784438646764 * t24;
+    const double t26 = t7 * t7 - t16 * t16;
+    const double t27 = -0.866025403784438646764 * t23 + 0.5 * t24;
+    const double t28 = t7 * t16;
+    const double t29 = t28 + t28;
+    const double t30 = t18 * t9 - t17 * t10;
+    const double t31 = t26 * t27 + t29 * t30;
+    const double t32 = -0.866025403784438646764 * t25 + 0.5 * t31;
+    out[4] = (prt_real)(t6 * t20 + t22 * t32);
+    const double t33 = t7 * t19 - t16 * t15;
+    const double t34 = t26 * t30 - t29 * t27;
+    out[5] = (prt_real)(t4 * t33 + t5 * t34);
+    out[6] = (prt_real)(-0.5 * t25 + -0.866025403784438646764 * t31);
+    out[7] = (prt_real)(t4 * t34 - t5 * t33);
+    out[8] = (prt_real)(t6 * t32 - t22 * t20);
+    const double t35 = t4 * t6 - t5 * t22;
+    const double t36 = (double)f[9];
+    const double t37 = t9 * t11 - t10 * t14;
+    const double t38 = (double)f[15];
+    const double t39 = t9 * t14 + t10 * t11;
+    const double t40 = t36 * t37 + t38 * t39;
+    const double t41 = (double)f[11];
+    const double t42 = (double)f[13];
+    const double t43 = t41 * t9 + t42 * t10;
+    const double t44 = -0.790569415042094833 * t40 + -0.612372435695794524549 * t43;
+    const double t45 = 0.612372435695794524549 * t40 + -0.790569415042094833 * t43;
+    const double t46 = (double)f[10];
+    const double t47 = (double)f[14];
+    const double t48 = t46 * t11 + t47 * t14;
+    const double t49 = t26 * t45 + t29 * t48;
+    const double t50 = -0.790569415042094833 * t44 + 0.612372435695794524549 * t49;
+    const double t51 = t4 * t22 + t5 * t6;
+    const double t52 = t42 * t9 - t41 * t10;
+    const double t53 = t38 * t37 - t36 * t39;
+    const double t54 = -0.25 * t52 + -0.968245836551854221295 * t53;
+    const double t55 = (double)f[12];
+    const double t56 = t47 * t11 - t46 * t14;
+    const double t57 = -0.612372435695794524549 * t55 + -0.790569415042094833 * t56;
+    const double t58 = t7 * t54 + t16 * t57;
+    const double t59 = t7 * t26 - t16 * t29;
+    const double t60 = -0.968245836551854221295 * t52 + 0.25 * t53;
+    const double t61 = t7 * t29 + t16 * t26;
+    const double t62 = -0.790569415042094833 * t55 + 0.612372435695794524549 * t56;
+    const double t63 = t59 * t60 + t61 * t62;
+    const double t64 = -0.968245836551854221295 * t58 + 0.25 * t63;
+    out[9] = (prt_real)(t35 * t50 + t51 * t64);
+    const double t65 = t26 * t48 - t29 * t45;
+    const double t66 = t59 * t62 - t61 * t60;
+    const double t67 = t7 * t57 - t16 * t54;
+    const double t68 = 0.612372435695794524549 * t66 + -0.790569415042094833 * t67;
+    out[10] = (prt_real)(t6 * t65 + t22 * t68);
+    const double t69 = -0.612372435695794524549 * t44 + -0.790569415042094833 * t49;
+    const double t70 = -0.25 * t58 + -0.968245836551854221295 * t63;
+    out[11] = (prt_real)(t4 * t69 + t5 * t70);
+    out[12] = (prt_real)(-0.790569415042094833 * t66 + -0.612372435695794524549 * t67);
+    out[13] = (prt_real)(t4 * t70 - t5 * t69);
+    out[14] = (prt_real)(t6 * t68 - t22 * t65);
+    out[15] = (prt_real)(t35 * t64 - t51 * t50);
+    const double t71 = t4 * t35 - t5 * t51;
+    const double t72 = (double)f[16];
+    const double t73 = t9 * t37 - t10 * t39;
+    const double t74 = (double)f[24];
+    const double t75 = t9 * t39 + t10 * t37;
+    const double t76 = t72 * t73 + t74 * t75;
+    const double t77 = (double)f[18];
+    const double t78 = (double)f[22];
+    const double t79 = t77 * t11 + t78 * t14;
+    const double t80 = -0.935414346693485346396 * t76 + -0.3535533905932737622 * t79;
+    const double t81 = (double)f[17];
+    const double t82 = (double)f[23];
+    const double t83 = t81 * t37 + t82 * t39;
+    const double t84 = (double)f[19];
+    const double t85 = (double)f[21];
+    const double t86 = t84 * t9 + t85 * t10;
+    const double t87 = -0.661437827766147647625 * t83 + -0.75 * t86;
+    const double t88 = t7 * t80 + t16 * t87;
+    const double t89 = 0.3535533905932737622 * t76 + -0.935414346693485346396 * t79;
+    const double t90 = 0.75 * t83 + -0.661437827766147647625 * t86;
+    const double t91 = t59 * t89 + t61 * t90;
+    const double t92 = -0.935414346693485346396 * t88 + 0.3535533905932737622 * t91;
+    const double t93 = t4 * t51 + t5 * t35;
+    const double t94 = (double)f[20];
+    const double t95 = t78 * t11 - t77 * t14;
+    const double t96 = t74 * t73 - t72 * t75;
+    const double t97 = (0.375 * t94 + 0.559016994374947424102 * t95) + 0.739509972887452005321 * t96;
+    const double t98 = (0.559016994374947424102 * t94 + 0.5 * t95) + -0.661437827766147647625 * t96;
+    const double t99 = t85 * t9 - t84 * t10;
+    const double t100 = t82 * t37 - t81 * t39;
+    const double t101 = -0.3535533905932737622 * t99 + -0.935414346693485346396 * t100;
+    const double t102 = t26 * t98 + t29 * t101;
+    const double t103 = 0.739509972887452005321 * t97 + -0.661437827766147647625 * t102;
+    const double t104 = t7 * t59 - t16 * t61;
+    const double t105 = 0.739509972887452005321 * t94 + -0.661437827766147647625 * t95;
+    const double t106 = t105 + 0.125 * t96;
+    const double t107 = t7 * t61 + t16 * t59;
+    const double t108 = -0.935414346693485346396 * t99 + 0.3535533905932737622 * t100;
+    const double t109 = t104 * t106 + t107 * t108;
+    const double t110 = t103 + 0.125 * t109;
+    out[16] = (prt_real)(t71 * t92 + t93 * t110);
+    const double t111 = t59 * t90 - t61 * t89;
+    const double t112 = t7 * t87 - t16 * t80;
+    const double t113 = 0.75 * t111 + -0.661437827766147647625 * t112;
+    const double t114 = t104 * t108 - t107 * t106;
+    const double t115 = t26 * t101 - t29 * t98;
+    const double t116 = 0.3535533905932737622 * t114 + -0.935414346693485346396 * t115;
+    out[17] = (prt_real)(t35 * t113 + t51 * t116);
+    const double t117 = -0.3535533905932737622 * t88 + -0.935414346693485346396 * t91;
+    const double t118 = (0.559016994374947424102 * t97 + 0.5 * t102) + -0.661437827766147647625 * t109;
+    out[18] = (prt_real)(t6 * t117 + t22 * t118);
+    const double t119 = -0.661437827766147647625 * t111 + -0.75 * t112;
+    const double t120 = -0.935414346693485346396 * t114 + -0.3535533905932737622 * t115;
+    out[19] = (prt_real)(t4 * t119 + t5 * t120);
+    out[20] = (prt_real)((0.375 * t97 + 0.559016994374947424102 * t102) + 0.739509972887452005321 * t109);
+    out[21] = (prt_real)(t4 * t120 - t5 * t119);
+    out[22] = (prt_real)(t6 * t118 - t22 * t117);
+    out[23] = (prt_real)(t35 * t116 - t51 * t113);
+    out[24] = (prt_real)(t71 * t110 - t93 * t92);
+    const double t121 = t4 * t71 - t5 * t93;
+    const double t122 = (double)f[25];
+    const double t123 = t9 * t73 - t10 * t75;
+    const double t124 = (double)f[35];
+    const double t125 = t9 * t75 + t10 * t73;
+    const double t126 = t122 * t123 + t124 * t125;
+    const double t127 = (double)f[27];
+    const double t128 = (double)f[33];
+    const double t129 = t127 * t37 + t128 * t39;
+    const double t130 = 0.701560760020114009797 * t126 + 0.522912516583797217486 * t129;
+    const double t131 = (double)f[29];
+    const double t132 = (double)f[31];
+    const double t133 = t131 * t9 + t132 * t10;
+    const double t134 = t130 + 0.484122918275927110647 * t133;
+    const double t135 = -0.684653196881457641821 * t126 + 0.306186217847897262275 * t129;
+    const double t136 = t135 + 0.661437827766147647625 * t133;
+    const double t137 = (double)f[26];
+    const double t138 = (double)f[34];
+    const double t139 = t137 * t73 + t138 * t75;
+    const double t140 = (double)f[28];
+    const double t141 = (double)f[32];
+    const double t142 = t140 * t11 + t141 * t14;
+    const double t143 = -0.866025403784438646764 * t139 + -0.5 * t142;
+    const double t144 = t26 * t136 + t29 * t143;
+    const double t145 = 0.701560760020114009797 * t134 + -0.684653196881457641821 * t144;
+    const double t146 = 0.19764235376052370825 * t126 + -0.795495128834865964951 * t129;
+    const double t147 = t146 + 0.572821961869480000824 * t133;
+    const double t148 = 0.5 * t139 + -0.866025403784438646764 * t142;
+    const double t149 = t104 * t147 + t107 * t148;
+    const double t150 = t145 + 0.19764235376052370825 * t149;
+    const double t151 = t4 * t93 + t5 * t71;
+    const double t152 = t132 * t9 - t131 * t10;
+    const double t153 = t128 * t37 - t127 * t39;
+    const double t154 = t124 * t123 - t122 * t125;
+    const double t155 = (0.125 * t152 + 0.405046293650491264435 * t153) + 0.905711046636839910857 * t154;
+    const double t156 = (double)f[30];
+    const double t157 = t141 * t11 - t140 * t14;
+    const double t158 = 0.484122918275927110647 * t156 + 0.661437827766147647625 * t157;
+    const double t159 = t138 * t73 - t137 * t75;
+    const double t160 = t158 + 0.572821961869480000824 * t159;
+    const double t161 = t7 * t155 + t16 * t160;
+    const double t162 = (0.405046293650491264435 * t152 + 0.8125 * t153) + -0.419262745781210568077 * t154;
+    const double t163 = 0.522912516583797217486 * t156 + 0.306186217847897262275 * t157;
+    const double t164 = t163 + -0.795495128834865964951 * t159;
+    const double t165 = t59 * t162 + t61 * t164;
+    const double t166 = 0.905711046636839910857 * t161 + -0.419262745781210568077 * t165;
+    const double t167 = t7 * t104 - t16 * t107;
+    const double t168 = 0.905711046636839910857 * t152 + -0.419262745781210568077 * t153;
+    const double t169 = t168 + 0.0625 * t154;
+    const double t170 = t7 * t107 + t16 * t104;
+    const double t171 = 0.701560760020114009797 * t156 + -0.684653196881457641821 * t157;
+    const double t172 = t171 + 0.19764235376052370825 * t159;
+    const double t173 = t167 * t169 + t170 * t172;
+    const double t174 = t166 + 0.0625 * t173;
+    out[25] = (prt_real)(t121 * t150 + t151 * t174);
+    const double t175 = t104 * t148 - t107 * t147;
+    const double t176 = t26 * t143 - t29 * t136;
+    const double t177 = 0.5 * t175 + -0.866025403784438646764 * t176;
+    const double t178 = t167 * t172 - t170 * t169;
+    const double t179 = t59 * t164 - t61 * t162;
+    const double t180 = 0.19764235376052370825 * t178 + -0.795495128834865964951 * t179;
+    const double t181 = t7 * t160 - t16 * t155;
+    const double t182 = t180 + 0.572821961869480000824 * t181;
+    out[26] = (prt_real)(t71 * t177 + t93 * t182);
+    const double t183 = 0.522912516583797217486 * t134 + 0.306186217847897262275 * t144;
+    const double t184 = t183 + -0.795495128834865964951 * t149;
+    const double t185 = (0.405046293650491264435 * t161 + 0.8125 * t165) + -0.419262745781210568077 * t173;
+    out[27] = (prt_real)(t35 * t184 + t51 * t185);
+    const double t186 = -0.866025403784438646764 * t175 + -0.5 * t176;
+    const double t187 = -0.684653196881457641821 * t178 + 0.306186217847897262275 * t179;
+    const double t188 = t187 + 0.661437827766147647625 * t181;
+    out[28] = (prt_real)(t6 * t186 + t22 * t188);
+    const double t189 = 0.484122918275927110647 * t134 + 0.661437827766147647625 * t144;
+    const double t190 = t189 + 0.572821961869480000824 * t149;
+    const double t191 = (0.125 * t161 + 0.405046293650491264435 * t165) + 0.905711046636839910857 * t173;
+    out[29] = (prt_real)(t4 * t190 + t5 * t191);
+    const double t192 = 0.701560760020114009797 * t178 + 0.522912516583797217486 * t179;
+    out[30] = (prt_real)(t192 + 0.484122918275927110647 * t181);
+    out[31] = (prt_real)(t4 * t191 - t5 * t190);
+    out[32] = (prt_real)(t6 * t188 - t22 * t186);
+    out[33] = (prt_real)(t35 * t185 - t51 * t184);
+    out[34] = (prt_real)(t71 * t182 - t93 * t177);
+    out[35] = (prt_real)(t121 * t174 - t151 * t150);
+    const double t193 = t4 * t121 - t5 * t151;
+    const double t194 = (double)f[36];
+    const double t195 = t9 * t123 - t10 * t125;
+    const double t196 = (double)f[48];
+    const double t197 = t9 * t125 + t10 * t123;
+    const double t198 = t194 * t195 + t196 * t197;
+    const double t199 = (double)f[38];
+    const double t200 = (double)f[46];
+    const double t201 = t199 * t73 + t200 * t75;
+    const double t202 = 0.879452954966893041481 * t198 + 0.433012701892219323382 * t201;
+    const double t203 = (double)f[40];
+    const double t204 = (double)f[44];
+    const double t205 = t203 * t11 + t204 * t14;
+    const double t206 = t202 + 0.19764235376052370825 * t205;
+    const double t207 = (double)f[37];
+    const double t208 = (double)f[47];
+    const double t209 = t207 * t123 + t208 * t125;
+    const double t210 = (double)f[39];
+    const double t211 = (double)f[45];
+    const double t212 = t210 * t37 + t211 * t39;
+    const double t213 = 0.507752400289747522529 * t209 + 0.59292706128157112475 * t212;
+    const double t214 = (double)f[41];
+    const double t215 = (double)f[43];
+    const double t216 = t214 * t9 + t215 * t10;
+    const double t217 = t213 + 0.625 * t216;
+    const double t218 = t7 * t206 + t16 * t217;
+    const double t219 = -0.463512405443478934294 * t198 + 0.684653196881457641821 * t201;
+    const double t220 = t219 + 0.5625 * t205;
+    const double t221 = (-0.802827036166570563757 * t209 + 0.0625 * t212) + 0.59292706128157112475 * t216;
+    const double t222 = t59 * t220 + t61 * t221;
+    const double t223 = 0.879452954966893041481 * t218 + -0.463512405443478934294 * t222;
+    const double t224 = 0.108253175473054830845 * t198 + -0.586301969977928694321 * t201;
+    const double t225 = t224 + 0.802827036166570563757 * t205;
+    const double t226 = (0.3125 * t209 + -0.802827036166570563757 * t212) + 0.507752400289747522529 * t216;
+    const double t227 = t167 * t225 + t170 * t226;
+    const double t228 = t223 + 0.108253175473054830845 * t227;
+    const double t229 = t4 * t151 + t5 * t121;
+    const double t230 = (double)f[42];
+    const double t231 = t204 * t11 - t203 * t14;
+    const double t232 = t200 * t73 - t199 * t75;
+    const double t233 = (-0.3125 * t230 + -0.452855523318419955429 * t231) + -0.496078370824610735719 * t232;
+    const double t234 = t196 * t195 - t194 * t197;
+    const double t235 = t233 + -0.671693289381396157476 * t234;
+    const double t236 = (-0.452855523318419955429 * t230 + -0.53125 * t231) + -0.171163299220364410455 * t232;
+    const double t237 = t236 + 0.695268608165218401442 * t234;
+    const double t238 = t215 * t9 - t214 * t10;
+    const double t239 = t211 * t37 - t210 * t39;
+    const double t240 = t208 * t123 - t207 * t125;
+    const double t241 = (0.19764235376052370825 * t238 + 0.5625 * t239) + 0.802827036166570563757 * t240;
+    const double t242 = t26 * t237 + t29 * t241;
+    const double t243 = -0.671693289381396157476 * t235 + 0.695268608165218401442 * t242;
+    const double t244 = -0.496078370824610735719 * t230 + -0.171163299220364410455 * t231;
+    const double t245 = (t244 + 0.8125 * t232) + -0.253876200144873761264 * t234;
+    const double t246 = 0.433012701892219323382 * t238 + 0.684653196881457641821 * t239;
+    const double t247 = t246 + -0.586301969977928694321 * t240;
+    const double t248 = t104 * t245 + t107 * t247;
+    const double t249 = t7 * t167 - t16 * t170;
+    const double t250 = -0.671693289381396157476 * t230 + 0.695268608165218401442 * t231;
+    const double t251 = (t250 + -0.253876200144873761264 * t232) + 0.03125 * t234;
+    const double t252 = t7 * t170 + t16 * t167;
+    const double t253 = 0.879452954966893041481 * t238 + -0.463512405443478934294 * t239;
+    const double t254 = t253 + 0.108253175473054830845 * t240;
+    const double t255 = t249 * t251 + t252 * t254;
+    const double t256 = (t243 + -0.253876200144873761264 * t248) + 0.03125 * t255;
+    out[36] = (prt_real)(t193 * t228 + t229 * t256);
+    const double t257 = t167 * t226 - t170 * t225;
+    const double t258 = t59 * t221 - t61 * t220;
+    const double t259 = t7 * t217 - t16 * t206;
+    const double t260 = (0.3125 * t257 + -0.802827036166570563757 * t258) + 0.507752400289747522529 * t259;
+    const double t261 = t249 * t254 - t252 * t251;
+    const double t262 = t104 * t247 - t107 * t245;
+    const double t263 = 0.108253175473054830845 * t261 + -0.586301969977928694321 * t262;
+    const double t264 = t26 * t241 - t29 * t237;
+    const double t265 = t263 + 0.802827036166570563757 * t264;
+    out[37] = (prt_real)(t121 * t260 + t151 * t265);
+    const double t266 = 0.433012701892219323382 * t218 + 0.684653196881457641821 * t222;
+    const double t267 = t266 + -0.586301969977928694321 * t227;
+    const double t268 = -0.496078370824610735719 * t235 + -0.171163299220364410455 * t242;
+    const double t269 = (t268 + 0.8125 * t248) + -0.253876200144873761264 * t255;
+    out[38] = (prt_real)(t71 * t267 + t93 * t269);
+    const double t270 = (-0.802827036166570563757 * t257 + 0.0625 * t258) + 0.59292706128157112475 * t259;
+    const double t271 = -0.463512405443478934294 * t261 + 0.684653196881457641821 * t262;
+    const double t272 = t271 + 0.5625 * t264;
+    out[39] = (prt_real)(t35 * t270 + t51 * t272);
+    const double t273 = (0.19764235376052370825 * t218 + 0.5625 * t222) + 0.802827036166570563757 * t227;
+    const double t274 = (-0.452855523318419955429 * t235 + -0.53125 * t242) + -0.171163299220364410455 * t248;
+    const double t275 = t274 + 0.695268608165218401442 * t255;
+    out[40] = (prt_real)(t6 * t273 + t22 * t275);
+    const double t276 = 0.507752400289747522529 * t257 + 0.59292706128157112475 * t258;
+    const double t277 = t276 + 0.625 * t259;
+    const double t278 = 0.879452954966893041481 * t261 + 0.433012701892219323382 * t262;
+    const double t279 = t278 + 0.19764235376052370825 * t264;
+    out[41] = (prt_real)(t4 * t277 + t5 * t279);
+    const double t280 = (-0.3125 * t235 + -0.452855523318419955429 * t242) + -0.496078370824610735719 * t248;
+    out[42] = (prt_real)(t280 + -0.671693289381396157476 * t255);
+    out[43] = (prt_real)(t4 * t279 - t5 * t277);
+    out[44] = (prt_real)(t6 * t275 - t22 * t273);
+    out[45] = (prt_real)(t35 * t272 - t51 * t270);
+    out[46] = (prt_real)(t71 * t269 - t93 * t267);
+    out[47] = (prt_real)(t121 * t265 - t151 * t260);
+    out[48] = (prt_real)(t193 * t256 - t229 * t228);
+    const double t281 = t4 * t193 - t5 * t229;
+    const double t282 = (double)f[49];
+    const double t283 = t9 * t195 - t10 * t197;
+    const double t284 = (double)f[63];
+    const double t285 = t9 * t197 + t10 * t195;
+    const double t286 = t282 * t283 + t284 * t285;
+    const double t287 = (double)f[51];
+    const double t288 = (double)f[61];
+    const double t289 = t287 * t123 + t288 * t125;
+    const double t290 = -0.64725984928774934788 * t286 + -0.47495887979908323849 * t289;
+    const double t291 = (double)f[53];
+    const double t292 = (double)f[59];
+    const double t293 = t291 * t37 + t292 * t39;
+    const double t294 = (double)f[55];
+    const double t295 = (double)f[57];
+    const double t296 = t294 * t9 + t295 * t10;
+    const double t297 = (t290 + -0.429616471402110000618 * t293) + -0.413398642353842279766 * t296;
+    const double t298 = 0.699120541287409177209 * t286 + -0.0732877462472410867901 * t289;
+    const double t299 = (t298 + -0.419844651329512592613 * t293) + -0.574099158464807366765 * t296;
+    const double t300 = (double)f[50];
+    const double t301 = (double)f[62];
+    const double t302 = t300 * t195 + t301 * t197;
+    const double t303 = (double)f[52];
+    const double t304 = (double)f[60];
+    const double t305 = t303 * t73 + t304 * t75;
+    const double t306 = 0.747391296443837376321 * t302 + 0.586301969977928694321 * t305;
+    const double t307 = (double)f[54];
+    const double t308 = (double)f[58];
+    const double t309 = t307 * t11 + t308 * t14;
+    const double t310 = t306 + 0.3125 * t309;
+    const double t311 = t26 * t299 + t29 * t310;
+    const double t312 = -0.64725984928774934788 * t297 + 0.699120541287409177209 * t311;
+    const double t313 = (-0.29810600044279551536 * t286 + 0.78125 * t289) + 0.103644524698606245285 * t293;
+    const double t314 = t313 + -0.538552748112940186861 * t296;
+    const double t315 = (-0.637377439199098103754 * t302 + 0.5 * t305) + 0.586301969977928694321 * t309;
+    const double t316 = t104 * t314 + t107 * t315;
+    const double t317 = 0.0584633966683428341497 * t286 + -0.398360899499436314846 * t289;
+    const double t318 = (t317 + 0.792728180872863885852 * t293) + -0.457681828621150306643 * t296;
+    const double t319 = (0.1875 * t302 + -0.637377439199098103754 * t305) + 0.747391296443837376321 * t309;
+    const double t320 = t249 * t318 + t252 * t319;
+    const double t321 = (t312 + -0.29810600044279551536 * t316) + 0.0584633966683428341497 * t320;
+    const double t322 = t4 * t229 + t5 * t193;
+    const double t323 = t295 * t9 - t294 * t10;
+    const double t324 = t292 * t37 - t291 * t39;
+    const double t325 = t288 * t123 - t287 * t125;
+    const double t326 = (-0.078125 * t323 + -0.243569644814373369402 * t324) + -0.448793956760783489051 * t325;
+    const double t327 = t284 * t283 - t282 * t285;
+    const double t328 = t326 + -0.856244297426266074633 * t327;
+    const double t329 = (double)f[56];
+    const double t330 = t308 * t11 - t307 * t14;
+    const double t331 = -0.413398642353842279766 * t329 + -0.574099158464807366765 * t330;
+    const double t332 = t304 * t73 - t303 * t75;
+    const double t333 = t301 * t195 - t300 * t197;
+    const double t334 = (t331 + -0.538552748112940186861 * t332) + -0.457681828621150306643 * t333;
+    const double t335 = t7 * t328 + t16 * t334;
+    const double t336 = (-0.243569644814373369402 * t323 + -0.609375 * t324) + -0.570044885842334349067 * t325;
+    const double t337 = t336 + 0.494352875611136705361 * t327;
+    const double t338 = -0.429616471402110000618 * t329 + -0.419844651329512592613 * t330;
+    const double t339 = (t338 + 0.103644524698606245285 * t332) + 0.792728180872863885852 * t333;
+    const double t340 = t59 * t337 + t61 * t339;
+    const double t341 = -0.856244297426266074633 * t335 + 0.494352875611136705361 * t340;
+    const double t342 = -0.448793956760783489051 * t323 + -0.570044885842334349067 * t324;
+    const double t343 = (t342 + 0.671875 * t325) + -0.14905300022139775768 * t327;
+    const double t344 = -0.47495887979908323849 * t329 + -0.0732877462472410867901 * t330;
+    const double t345 = (t344 + 0.78125 * t332) + -0.398360899499436314846 * t333;
+    const double t346 = t167 * t343 + t170 * t345;
+    const double t347 = t7 * t249 - t16 * t252;
+    const double t348 = -0.856244297426266074633 * t323 + 0.494352875611136705361 * t324;
+    const double t349 = (t348 + -0.14905300022139775768 * t325) + 0.015625 * t327;
+    const double t350 = t7 * t252 + t16 * t249;
+    const double t351 = -0.64725984928774934788 * t329 + 0.699120541287409177209 * t330;
+    const double t352 = (t351 + -0.29810600044279551536 * t332) + 0.0584633966683428341497 * t333;
+    const double t353 = t347 * t349 + t350 * t352;
+    const double t354 = (t341 + -0.14905300022139775768 * t346) + 0.015625 * t353;
+    out[49] = (prt_real)(t281 * t321 + t322 * t354);
+    const double t355 = t249 * t319 - t252 * t318;
+    const double t356 = t104 * t315 - t107 * t314;
+    const double t357 = t26 * t310 - t29 * t299;
+    const double t358 = (0.1875 * t355 + -0.637377439199098103754 * t356) + 0.747391296443837376321 * t357;
+    const double t359 = t347 * t352 - t350 * t349;
+    const double t360 = t167 * t345 - t170 * t343;
+    const double t361 = 0.0584633966683428341497 * t359 + -0.398360899499436314846 * t360;
+    const double t362 = t59 * t339 - t61 * t337;
+    const double t363 = t7 * t334 - t16 * t328;
+    const double t364 = (t361 + 0.792728180872863885852 * t362) + -0.457681828621150306643 * t363;
+    out[50] = (prt_real)(t193 * t358 + t229 * t364);
+    const double t365 = -0.47495887979908323849 * t297 + -0.0732877462472410867901 * t311;
+    const double t366 = (t365 + 0.78125 * t316) + -0.398360899499436314846 * t320;
+    const double t367 = -0.448793956760783489051 * t335 + -0.570044885842334349067 * t340;
+    const double t368 = (t367 + 0.671875 * t346) + -0.14905300022139775768 * t353;
+    out[51] = (prt_real)(t121 * t366 + t151 * t368);
+    const double t369 = (-0.637377439199098103754 * t355 + 0.5 * t356) + 0.586301969977928694321 * t357;
+    const double t370 = (-0.29810600044279551536 * t359 + 0.78125 * t360) + 0.103644524698606245285 * t362;
+    const double t371 = t370 + -0.538552748112940186861 * t363;
+    out[52] = (prt_real)(t71 * t369 + t93 * t371);
+    const double t372 = -0.429616471402110000618 * t297 + -0.419844651329512592613 * t311;
+    const double t373 = (t372 + 0.103644524698606245285 * t316) + 0.792728180872863885852 * t320;
+    const double t374 = (-0.243569644814373369402 * t335 + -0.609375 * t340) + -0.570044885842334349067 * t346;
+    const double t375 = t374 + 0.494352875611136705361 * t353;
+    out[53] = (prt_real)(t35 * t373 + t51 * t375);
+    const double t376 = 0.747391296443837376321 * t355 + 0.586301969977928694321 * t356;
+    const double t377 = t376 + 0.3125 * t357;
+    const double t378 = 0.699120541287409177209 * t359 + -0.0732877462472410867901 * t360;
+    const double t379 = (t378 + -0.419844651329512592613 * t362) + -0.574099158464807366765 * t363;
+    out[54] = (prt_real)(t6 * t377 + t22 * t379);
+    const double t380 = -0.413398642353842279766 * t297 + -0.574099158464807366765 * t311;
+    const double t381 = (t380 + -0.538552748112940186861 * t316) + -0.457681828621150306643 * t320;
+    const double t382 = (-0.078125 * t335 + -0.243569644814373369402 * t340) + -0.448793956760783489051 * t346;
+    const double t383 = t382 + -0.856244297426266074633 * t353;
+    out[55] = (prt_real)(t4 * t381 + t5 * t383);
+    const double t384 = -0.64725984928774934788 * t359 + -0.47495887979908323849 * t360;
+    out[56] = (prt_real)((t384 + -0.429616471402110000618 * t362) + -0.413398642353842279766 * t363);
+    out[57] = (prt_real)(t4 * t383 - t5 * t381);
+    out[58] = (prt_real)(t6 * t379 - t22 * t377);
+    out[59] = (prt_real)(t35 * t375 - t51 * t373);
+    out[60] = (prt_real)(t71 * t371 - t93 * t369);
+    out[61] = (prt_real)(t121 * t368 - t151 * t366);
+    out[62] = (prt_real)(t193 * t364 - t229 * t358);
+    out[63] = (prt_real)(t281 * t354 - t322 * t321);
 }
 
 /* END GENERATED */
@@ -18892,12 +18982,12 @@ PRT__INLINE void prt__swap_yz_3(prt__classes *v) {
     };
 #else
     static const prt_real c[][4] = {
-        { -0.612372398f, 0.612372398f, -0.5f, 0.5f },
-        { -0.790569425f, -0.790569425f, -0.866025388f, -0.866025388f },
-        { -0.25f, 0.25f, 1.0f, 0 },
+        { -0.612372339f, 0.612372339f, -0.49999994f, 0.49999994f },
+        { -0.790569484f, -0.790569484f, -0.866025448f, -0.866025448f },
+        { -0.24999997f, 0.24999997f, 1.0f, 0 },
         { -0.968245864f, -0.968245864f, 0, 0 },
-        { -0.612372398f, 0.612372398f, 1.0f, 0 },
-        { -0.790569425f, -0.790569425f, 0, 0 }
+        { -0.612372339f, 0.612372339f, 1.0f, 0 },
+        { -0.790569484f, -0.790569484f, 0, 0 }
     };
 #endif
     prt__quad even_cos = v->even_cos;
@@ -18928,14 +19018,14 @@ PRT__INLINE void prt__swap_yz_4(prt__classes *v) {
     };
 #else
     static const prt_real c[][4] = {
-        { 0.5f, 0.125f, -0.353553385f, 0.353553385f },
-        { -0.661437809f, -0.661437809f, -0.935414374f, -0.935414374f },
-        { 0.559017003f, 0.73951f, 0, 0 },
-        { 0.375f, 0, 0, 0 },
+        { 0.49999994f, 0.125000015f, -0.353553355f, 0.353553355f },
+        { -0.661437869f, -0.661437869f, -0.935414374f, -0.935414374f },
+        { 0.559017003f, 0.73950994f, 0, 0 },
+        { 0.37500003f, 0, 0, 0 },
         { 0.559017003f, 0, 0, 0 },
-        { 0.73951f, 0, 0, 0 },
-        { -0.353553385f, 0.353553385f, -0.75f, 0.75f },
-        { -0.935414374f, -0.935414374f, -0.661437809f, -0.661437809f }
+        { 0.73950994f, 0, 0, 0 },
+        { -0.353553355f, 0.353553355f, -0.74999994f, 0.74999994f },
+        { -0.935414374f, -0.935414374f, -0.661437869f, -0.661437869f }
     };
 #endif
     prt__quad even_cos = v->even_cos;
@@ -18969,17 +19059,17 @@ PRT__INLINE void prt__swap_yz_5(prt__classes *v) {
     };
 #else
     static const prt_real c[][4] = {
-        { 0.484122932f, 0.306186199f, 0.197642356f, 0 },
-        { 0.522912562f, -0.684653223f, 0.572821975f, 0 },
-        { 0.701560736f, 0.661437809f, -0.795495093f, 0 },
-        { 0.125f, 0.8125f, 0.0625f, 0 },
-        { 0.405046284f, -0.419262737f, 0.905711055f, 0 },
-        { 0.905711055f, 0.405046284f, -0.419262737f, 0 },
+        { 0.484122902f, 0.306186199f, 0.197642371f, 0 },
+        { 0.522912502f, -0.684653163f, 0.572821915f, 0 },
+        { 0.701560795f, 0.661437869f, -0.795495152f, 0 },
+        { 0.124999985f, 0.8125f, 0.0625000075f, 0 },
+        { 0.405046314f, -0.419262737f, 0.905711055f, 0 },
+        { 0.905711055f, 0.405046314f, -0.419262737f, 0 },
         { 0, -0.5f, 0.5f, 0 },
         { 0, -0.866025388f, -0.866025388f, 0 },
-        { 0.484122932f, 0.306186199f, 0.197642356f, 0 },
-        { 0.661437809f, -0.795495093f, 0.701560736f, 0 },
-        { 0.572821975f, 0.522912562f, -0.684653223f, 0 }
+        { 0.484122902f, 0.306186199f, 0.197642371f, 0 },
+        { 0.661437869f, -0.795495152f, 0.701560795f, 0 },
+        { 0.572821915f, 0.522912502f, -0.684653163f, 0 }
     };
 #endif
     prt__quad even_cos = v->even_cos;
@@ -19019,17 +19109,17 @@ PRT__INLINE void prt__swap_yz_6(prt__classes *v) {
     };
 #else
     static const prt_real c[][4] = {
-        { -0.3125f, -0.53125f, 0.8125f, 0.03125f },
-        { -0.452855527f, -0.171163291f, -0.253876209f, -0.671693265f },
+        { -0.31250003f, -0.53125f, 0.8125f, 0.0312500037f },
+        { -0.452855527f, -0.171163276f, -0.253876209f, -0.671693265f },
         { -0.496078372f, 0.695268631f, -0.496078372f, 0.695268631f },
-        { -0.671693265f, -0.452855527f, -0.171163291f, -0.253876209f },
-        { 0.197642341f, 0.684653223f, 0.108253181f, 0 },
+        { -0.671693265f, -0.452855527f, -0.171163276f, -0.253876209f },
+        { 0.197642356f, 0.684653223f, 0.108253166f, 0 },
         { 0.433012724f, -0.463512421f, 0.80282706f, 0 },
-        { 0.879452944f, 0.5625f, -0.586301923f, 0 },
-        { 0, 0.197642341f, 0.684653223f, 0.108253181f },
-        { 0, 0.5625f, -0.586301923f, 0.879452944f },
+        { 0.879452944f, 0.56249994f, -0.586301923f, 0 },
+        { 0, 0.197642356f, 0.684653223f, 0.108253166f },
+        { 0, 0.56249994f, -0.586301923f, 0.879452944f },
         { 0, 0.80282706f, 0.433012724f, -0.463512421f },
-        { 0.625f, 0.0625f, 0.3125f, 0 },
+        { 0.625f, 0.0625000075f, 0.31249997f, 0 },
         { 0.592927039f, -0.80282706f, 0.507752419f, 0 },
         { 0.507752419f, 0.592927039f, -0.80282706f, 0 }
     };
@@ -19075,21 +19165,21 @@ PRT__INLINE void prt__swap_yz_7(prt__classes *v) {
     };
 #else
     static const prt_real c[][4] = {
-        { -0.413398623f, -0.419844657f, 0.78125f, 0.0584633946f },
-        { -0.429616451f, -0.0732877478f, -0.298105985f, -0.457681805f },
-        { -0.474958867f, 0.699120522f, -0.538552761f, 0.792728186f },
-        { -0.647259891f, -0.574099183f, 0.103644527f, -0.398360908f },
-        { -0.078125f, -0.609375f, 0.671875f, 0.015625f },
-        { -0.243569657f, -0.570044875f, -0.149053007f, -0.856244266f },
-        { -0.448793977f, 0.494352877f, -0.448793977f, 0.494352877f },
-        { -0.856244266f, -0.243569657f, -0.570044875f, -0.149053007f },
-        { 0, 0.3125f, 0.5f, 0.1875f },
+        { -0.413398683f, -0.419844627f, 0.78125f, 0.0584633984f },
+        { -0.429616481f, -0.0732877553f, -0.298105955f, -0.457681835f },
+        { -0.474958867f, 0.699120581f, -0.538552761f, 0.792728186f },
+        { -0.647259831f, -0.574099123f, 0.103644527f, -0.398360908f },
+        { -0.0781249925f, -0.60937506f, 0.67187506f, 0.0156249981f },
+        { -0.243569672f, -0.570044816f, -0.149053022f, -0.856244326f },
+        { -0.448793918f, 0.494352847f, -0.448793918f, 0.494352847f },
+        { -0.856244326f, -0.243569672f, -0.570044816f, -0.149053022f },
+        { 0, 0.3125f, 0.49999997f, 0.18750003f },
         { 0, 0.586301982f, -0.637377441f, 0.747391284f },
         { 0, 0.747391284f, 0.586301982f, -0.637377441f },
-        { -0.413398623f, -0.419844657f, 0.78125f, 0.0584633946f },
-        { -0.574099183f, 0.103644527f, -0.398360908f, -0.647259891f },
-        { -0.538552761f, 0.792728186f, -0.474958867f, 0.699120522f },
-        { -0.457681805f, -0.429616451f, -0.0732877478f, -0.298105985f }
+        { -0.413398683f, -0.419844627f, 0.78125f, 0.0584633984f },
+        { -0.574099123f, 0.103644527f, -0.398360908f, -0.647259831f },
+        { -0.538552761f, 0.792728186f, -0.474958867f, 0.699120581f },
+        { -0.457681835f, -0.429616481f, -0.0732877553f, -0.298105955f }
     };
 #endif
     prt__quad even_cos = v->even_cos;

@@ -279,10 +279,9 @@ static void print_turns(FILE *page) {
                             "alone, the same turns in double; one shot takes angles out of R and so forgives its lengths, "
                             "blocks use it as it is. *Arithmetic*: distance from that. *Entries in float*: exact blocks with "
                             "only their entries rounded to float, multiplied in double: the least to expect of any way that "
-                            "keeps the coefficients of a turn in float.\n\nOne shot at 6 bands rounds the cosine and sine "
-                            "of each multiple of a and of g on its own, in length and in angle, the same in every turn; about "
-                            "x, y and z most of that cancels, about other axes it does not, and 1e-4 is missed by some. Where "
-                            "a chain has to be long, keep the rotation and turn the first vector by it.\n\n"
+                            "keeps the coefficients of a turn in float.\n\nThe same error in every turn adds up. One shot takes "
+                            "back in each multiple of a what the rounding of that of g did wrong; blocks cannot. Where a "
+                            "chain has to be long, keep the rotation all the same and turn the first vector by it.\n\n"
                             "| axis | one shot | matrix | arithmetic | blocks | matrix | arithmetic | entries in float |\n"
                             "|---|--:|--:|--:|--:|--:|--:|--:|\n");
     for (a = 0; a < sizeof axes / sizeof *axes; a++) {

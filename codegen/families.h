@@ -25,7 +25,7 @@
     X(sh_window_positive, sh_window_positive, 1, 10, FORM_TEXT) \
     X(sh_window_dering, sh_window_dering, 1, 10, FORM_TEXT) \
     X(sh_irradiance_packed, sh_irradiance_packed, 0, 0, FORM_TEXT) \
-    X(sh_rotate, sh_rotate, 2, 8, FORM_ONE) \
+    X(sh_rotate, sh_rotate, 2, 8, FORM_DOUBLE) \
     X(sh_rotate, sh_rotate_matrix, 1, 8, FORM_TEXT) \
     X(sh_rotate_turned, sh_rotate, 2, 8, FORM_TEXT) \
     X(sh_turn, sh_turn, 0, 0, FORM_TEXT) \

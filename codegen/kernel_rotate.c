@@ -7,6 +7,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { LARGEST = 8, SIZE = 2 * LARGEST - 1 };
 
@@ -127,59 +128,119 @@ static xreal swap_entry(int l, int m, int column) {
 
    A turn swaps twice, and a thousand small turns two thousand times: what matters is that the swap of the rounded
    matrix is still its own inverse, not that each entry is the nearest. So the entries of a band are rounded
-   together, each to one of the two floats beside it, for the least |J J - 1|. Found by turning over one entry or two
-   at a time. */
+   together, each to one of the four nearest floats, for the least |J J - 1|. Found from several starts, by changing one
+   entry or two at a time; in integers, entries in units of 2^-30, as any machine must find the same. */
+
+enum { NEAR = 4, STARTS = 12, UNIT_BITS = 30 };
+typedef struct entry { int row, column; long long value[NEAR]; } entry;
+typedef struct swap_search {
+    long long matrix[SIZE][SIZE];
+    entry entries[SIZE * SIZE];
+    int l, count;
+} swap_search;
 
 static float rounded[LARGEST][SIZE][SIZE];
-typedef struct entry { int row, column; float value[2]; } entry;
 
-static xreal not_inverse(int l) {
-    xreal sum = 0;
-    int i, j, k;
-    for (i = 0; i <= 2 * l; i++)
+static long long not_inverse(const swap_search *s) {
+    const long long one = 1LL << 2 * UNIT_BITS;
+    long long sum = 0, trace = 0;
+    int i, j, k, size = 2 * s->l + 1;
+    for (i = 0; i < size; i++)
         for (j = 0; j <= i; j++) {
-            xreal dot = i == j ? -1 : 0;
-            for (k = 0; k <= 2 * l; k++) dot += (xreal)rounded[l][i][k] * (xreal)rounded[l][k][j];
+            long long dot = i == j ? -one : 0;
+            for (k = 0; k < size; k++) dot += s->matrix[i][k] * s->matrix[k][j];
+            dot /= 1024;                                       /* the square fits */
             sum += dot * dot;
+            if (i == j) trace += dot;
         }
-    return sum;
+    return sum + trace * trace;
 }
 
-static void turn_over(int l, const entry *e) {
-    float old = rounded[l][e->row][e->column], new_value = old == e->value[0] ? e->value[1] : e->value[0];
-    rounded[l][e->row][e->column] = rounded[l][e->column][e->row] = new_value;
+static void put(swap_search *s, const entry *e, long long value) {
+    s->matrix[e->row][e->column] = s->matrix[e->column][e->row] = value;
 }
 
-static int collect_entries(int l, entry *entries) {
-    int i, j, count = 0;
-    for (i = 0; i <= 2 * l; i++)
+static xreal away(float value, xreal exact_value) {
+    xreal d = (xreal)value - exact_value;
+    return d < 0 ? -d : d;
+}
+
+/* The floats nearest to a value, in this order */
+static void nearest_floats(xreal exact_value, long long *value) {
+    float nearest = (float)exact_value, low = nextafterf(nearest, -2), high = nextafterf(nearest, 2);
+    int i;
+    for (i = 0; i < NEAR; i++) {
+        value[i] = (long long)ldexpf(nearest, UNIT_BITS);
+        nearest = away(low, exact_value) < away(high, exact_value) ? low : high;
+        if (nearest == low) low = nextafterf(low, -2);
+        else high = nextafterf(high, 2);
+    }
+}
+
+static void collect_entries(swap_search *s) {
+    int i, j;
+    for (i = 0; i <= 2 * s->l; i++)
         for (j = 0; j <= i; j++) {
-            xreal exact_value = swap_entry(l, i - l, j - l);
-            entry e = { i, j, { (float)exact_value, 0 } };
-            rounded[l][i][j] = rounded[l][j][i] = e.value[0];
-            if ((xreal)e.value[0] == exact_value) continue;
-            e.value[1] = nextafterf(e.value[0], (xreal)e.value[0] < exact_value ? 2.0f : -2.0f);
-            entries[count++] = e;
+            entry *e = &s->entries[s->count];
+            if (swap_entry(s->l, i - s->l, j - s->l) == 0) continue;
+            e->row = i;
+            e->column = j;
+            nearest_floats(swap_entry(s->l, i - s->l, j - s->l), e->value);
+            s->count++;
         }
-    return count;
+}
+
+/* Other values of a and b, where those are better; b may be a. */
+static int improve(swap_search *s, const entry *a, const entry *b, long long *least) {
+    long long best_a = s->matrix[a->row][a->column], best_b = s->matrix[b->row][b->column];
+    int i, j, better = 0;
+    for (i = 0; i < NEAR; i++)
+        for (j = 0; j < (a == b ? 1 : NEAR); j++) {
+            long long now;
+            put(s, b, b->value[j]);
+            put(s, a, a->value[i]);
+            now = not_inverse(s);
+            if (now >= *least) continue;
+            *least = now;
+            best_a = a->value[i];
+            best_b = b->value[j];
+            better = 1;
+        }
+    put(s, b, best_b);
+    put(s, a, best_a);
+    return better;
+}
+
+static long long improve_all(swap_search *s) {
+    long long least = not_inverse(s);
+    int i, j, better = 1;
+    while (better) {
+        better = 0;
+        for (i = 0; i < s->count; i++)
+            for (j = 0; j <= i; j++) better |= improve(s, &s->entries[i], &s->entries[j], &least);
+    }
+    return least;
 }
 
 static void round_together(int l) {
-    static entry entries[SIZE * SIZE];
-    int count = collect_entries(l, entries), i, j, better = 1;
-    xreal least = not_inverse(l);
-    while (better) {
-        better = 0;
-        for (i = 0; i < count; i++)
-            for (j = 0; j <= i; j++) {
-                xreal now;
-                turn_over(l, &entries[i]);
-                if (j < i) turn_over(l, &entries[j]);
-                now = not_inverse(l);
-                if (now < least) { least = now; better = 1; continue; }
-                turn_over(l, &entries[i]);
-                if (j < i) turn_over(l, &entries[j]);
-            }
+    static swap_search s;
+    long long least = 0;
+    unsigned random = 1;
+    int start, i, j;
+    memset(&s, 0, sizeof s);
+    s.l = l;
+    collect_entries(&s);
+    for (start = 0; start < STARTS; start++) {
+        long long now;
+        for (i = 0; i < s.count; i++) {
+            random = random * 1664525u + 1013904223u;
+            put(&s, &s.entries[i], s.entries[i].value[start ? random >> 30 : 0]);
+        }
+        now = improve_all(&s);
+        if (start && now >= least) continue;
+        least = now;
+        for (i = 0; i <= 2 * l; i++)
+            for (j = 0; j <= 2 * l; j++) rounded[l][i][j] = ldexpf((float)s.matrix[i][j], -UNIT_BITS);
     }
 }
 

@@ -29,6 +29,11 @@ static int next_parameter(FILE *to, int column, int first) {
     return column;
 }
 
+/* cos and sin of angles (prt__turn_of) */
+static int is_in_double(const param *p) { return !strcmp(p->name, "turn"); }
+
+static const char *array_type(const param *p) { return is_in_double(p) ? "double" : "prt_real"; }
+
 /* A kernel need not use every parameter: one band is constant. */
 static void print_unused(FILE *to, const kernel *k, int components) {
     int i, j;
@@ -56,7 +61,7 @@ static void open_header_form(FILE *to, const kernel *k, const char *name, const 
         switch (p->kind) {
         case PARAM_SCALAR:    column += fprintf(to, "%s %s", scalar, p->name); break;
         case PARAM_DIRECTION: column += fprintf(to, "%s x, %s y, %s z", scalar, scalar, scalar); break;
-        case PARAM_INPUT: case PARAM_FOUR: column += fprintf(to, "const prt_real *%s", p->name); break;
+        case PARAM_INPUT: case PARAM_FOUR: column += fprintf(to, "const %s *%s", array_type(p), p->name); break;
         case PARAM_OUTPUT: case PARAM_RESULT:
             column += fprintf(to, "prt_real *%s%s", k->stores_last ? "" : "PRT__RESTRICT ", p->name);
             break;
@@ -90,6 +95,24 @@ const dialect dialect_header = {
     "c", "/* ", " */", "const prt_real %s = ", "prt__min", "prt__max", "prt__sqrt", "prt__sin", "prt__cos", "prt__pow",
     TERNARY,
     21, "PRT__R(", ")", open_header, load_c, store_c, NULL, 0, NULL, ""
+};
+
+/* The same in double, whatever prt_real is */
+static void load_header_double(char *text, size_t size, const param *p, int element) {
+    char value[64];
+    load_c(value, sizeof value, p, element);
+    snprintf(text, size, is_in_double(p) ? "%s" : "(double)%s", value);
+}
+
+static void store_header_double(FILE *to, const param *p, int element, const char *value, int is_constant, int number) {
+    (void)is_constant;
+    (void)number;
+    fprintf(to, "    %s[%d] = (prt_real)(%s);\n", p->name, element, value);
+}
+
+const dialect dialect_header_double = {
+    "c", "/* ", " */", "const double %s = ", "fmin", "fmax", "sqrt", "sin", "cos", "pow", TERNARY, 21, "", "", open_header,
+    load_header_double, store_header_double, NULL, 0, NULL, ""
 };
 
 /* What forms in SIMD have in common, up to what opens a function */

@@ -29,7 +29,7 @@ typedef struct dialect {
    would evict each other from a first-level cache of 8 to 12 ways before their lines are full. Nodes and block, for
    kernel_nodes.c: arrays of prt__vec, but that of the factors q, which has PRT__NODES reals for each entry, and, for
    nodes, that of the coefficients f, which are the same in all lanes. */
-extern const dialect dialect_header, dialect_header_lanes, dialect_header_nodes, dialect_header_block;
+extern const dialect dialect_header, dialect_header_double, dialect_header_lanes, dialect_header_nodes, dialect_header_block;
 
 /* half: at least 16 bits, mediump, min16float, f16, half, _Float16; float16: 16 bits exactly, GLSL's float16_t and
    HLSL's half */

@@ -59,6 +59,7 @@ static void print_header_forms(FILE *to, const family *f, int bands) {
     char name[96];
     snprintf(name, sizeof name, "prt__%s", k->name);
     if (f->forms & FORM_ONE) print_kernel(to, &dialect_header, k, name);
+    if (f->forms & FORM_DOUBLE) print_kernel(to, &dialect_header_double, k, name);
     if (f->forms & FORM_LANES) print_kernel(to, &dialect_header_lanes, k, name);
     if (f->forms & FORM_SWEPT) print_swept(to, k, name);
     if (f->forms & FORM_NODES) print_kernel(to, &dialect_header_nodes, k, name);
