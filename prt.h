@@ -456,9 +456,10 @@ PRTDEF prt_result prt_sh_rotate_by  (int bands, const prt_real *blocks, const pr
    (three times that for _n_rgb), done in SIMD across vectors; _soa, which transposes nothing, does 0.65 to 0.8 of the
    multiply-adds that the machine can. At 4 bands arrays beyond the caches are turned at 0.7 of the rate of memcpy and
    more, SSE2 at 0.5 (_n_rgb), 0.6 (_soa) and 0.7 (_n): docs/rotation.md.
-   With registers of 16 bytes (SSE2, NEON) and 5 to 8 bands the blocks of a rotation go by their factors, Z(a) D Z(g)
-   with R = Rz(a) Ry(b) Rz(g): 125, 206, 315 and 456 multiplications a vector in place of 165, 286, 455 and 680, for
-   0.16, 0.24, 0.37 and 0.53 us a call to find them: faster from about 60 vectors on; for a few, prt_sh_rotate_by is.
+   With registers of 16 bytes (SSE2, NEON) and 4 to 8 bands the blocks of a rotation go by their factors, Z(a) D Z(g)
+   with R = Rz(a) Ry(b) Rz(g): 68, 125, 206, 315 and 456 multiplications a vector in place of 84, 165, 286, 455 and 680,
+   for 0.09, 0.15, 0.24, 0.37 and 0.53 us a call to find them: faster from 60 vectors on at 6 bands, 130 at 4; for a
+   few, prt_sh_rotate_by is.
    Blocks may also be a reflection's, scaled band by band, or no rotation's at all: what is not such a product within
    4 l eps is applied as it is. Accuracy, float/double, for |f_i| <= 1: 7e-7/2e-15 at 6 bands, 1e-6/3e-15 at 8; by
    factors, for an R that is itself a product in float, twice that. */
@@ -3604,7 +3605,7 @@ PRT__STATIC void prt__block_lanes_any(int size, const prt_real *m, const prt_rea
    brackets is of size eps |t x|, and c times that eps |s x|; a cosine of zero becomes one far below eps. */
 
 #if PRT__FACTORS
-enum { PRT__FACTOR_BANDS = 5 };                                 /* from here on it pays (docs/rotation.md) */
+enum { PRT__FACTOR_BANDS = 4 };                                 /* from here on it pays */
 
 /* out = Z(a) D Z(g) x for one block in all lanes, coefficients so many steps apart; all of x is read first. Entries: t of
    g for m = 1 ... l; the row m = 0 of D; for m = 1 ... l rows of cosines and of sines, and t of a. */
@@ -3649,25 +3650,32 @@ PRT__FACTOR_KERNEL(2) PRT__FACTOR_KERNEL(3) PRT__FACTOR_KERNEL(4)
 PRT__FACTOR_KERNEL(5) PRT__FACTOR_KERNEL(6) PRT__FACTOR_KERNEL(7)
 #undef PRT__FACTOR_KERNEL
 
+/* Two doubles, for rows m and -m of a block. */
+typedef double prt__twin __attribute__((vector_size(16)));
+PRT__INLINE prt__twin prt__twins(double a, double b) { prt__twin t = { a, b }; return t; }
+PRT__INLINE prt__twin prt__crossed(prt__twin t) { prt__twin r = { t[1], t[0] }; return r; }
+
 /* Cosines and sines of the multiples of an angle; for turns by shears their quotient, and the cosine over their squared
    length: an error of the first's grows with the multiple. */
 typedef struct prt__phasors {
-    double c[PRT__ENTRY_BANDS], s[PRT__ENTRY_BANDS], scale[PRT__ENTRY_BANDS];
+    prt__twin c[PRT__ENTRY_BANDS], s[PRT__ENTRY_BANDS], scale[PRT__ENTRY_BANDS];
     prt__entry t[PRT__ENTRY_BANDS];
 } prt__phasors;
 
-PRT__STATIC void prt__phasor_multiples(int bands, double c, double s, prt__phasors *p) {
+PRT__STATIC void prt__phasor_multiples(int bands, double c1, double s1, prt__phasors *p) {
     const double least = (double)PRT__EPS / 128;
-    double by;
+    double c = 1, s = 0, next, by;
     int m;
-    p->c[0] = p->scale[0] = 1;
-    p->s[0] = 0;
     for (m = 1; m < bands; m++) {
-        p->c[m] = p->c[m - 1] * c - p->s[m - 1] * s;
-        p->s[m] = p->s[m - 1] * c + p->c[m - 1] * s;
-        by = fabs(p->c[m]) >= least ? p->c[m] : least;
-        p->t[m] = prt__entry_of((prt_real)(p->s[m] / by));
-        p->scale[m] = by * (2 - (p->c[m] * p->c[m] + p->s[m] * p->s[m]));
+        next = c * c1 - s * s1;
+        s = s * c1 + c * s1;
+        c = next;
+        by = fabs(c) >= least ? c : least;
+        p->c[m] = prt__twins(c, c);
+        p->s[m] = prt__twins(s, s);
+        p->t[m] = prt__entry_of((prt_real)(s / by));
+        by *= 2 - (c * c + s * s);
+        p->scale[m] = prt__twins(by, by);
     }
 }
 
@@ -3690,15 +3698,10 @@ PRT__STATIC void prt__block_phasors(int bands, const prt_real *block, prt__phaso
     prt__phasor_multiples(bands, (px * c + py * s) * over, (py * c - px * s) * over, a);
 }
 
-/* Two doubles: rows m and -m of a block, side by side. */
-typedef double prt__twin __attribute__((vector_size(16)));
-PRT__INLINE prt__twin prt__twins(double a, double b) { prt__twin t = { a, b }; return t; }
-PRT__INLINE prt__twin prt__crossed(prt__twin t) { prt__twin r = { t[1], t[0] }; return r; }
-
 /* Rows m and -m of a block in a column of cosines and one of sines, turned back by g and a: cosine to cosine and sine to
-   sine, times `scale`; `c` and `s` sum up squares: of these, c[0] and s[1], and of what is between, c[1] and s[0]. */
-PRT__INLINE prt__twin prt__turn_back(prt__twin column, prt__twin other, double gc, double gs, double ac, prt__twin as,
-                                     prt__twin *c, prt__twin *s) {
+   sine; `c` and `s` sum up squares: of these, c[0] and s[1], and of what is between, c[1] and s[0]. */
+PRT__INLINE prt__twin prt__turn_back(prt__twin column, prt__twin other, prt__twin gc, prt__twin gs, prt__twin ac,
+                                     prt__twin as, prt__twin *c, prt__twin *s) {
     prt__twin x = column * gc - other * gs, y = column * gs + other * gc;
     x = x * ac + prt__crossed(x) * as;
     y = y * ac + prt__crossed(y) * as;
@@ -3712,23 +3715,23 @@ PRT__INLINE prt__twin prt__turn_back(prt__twin column, prt__twin other, double g
 PRT__STATIC int prt__block_factors(int l, const prt_real *block, const prt__phasors *a, const prt__phasors *g,
                                    prt__entry *e) {
     const prt_real *plus = block + l * (2 * l + 2), *minus = plus;
-    prt__twin c = prt__twins(0, 0), s = c, zero = c, d;
+    const prt__twin zero = prt__twins(0, 0), one = prt__twins(1, 1), sign = prt__twins(1, -1);
+    prt__twin c = zero, s = zero, d;
     double tolerance = 4 * l * (double)PRT__EPS;
     int m, k, size = 2 * l + 1;
     for (m = 1; m <= l; m++) *e++ = g->t[m];
     e[0] = prt__entry_of(*plus);
     for (k = 1; k <= l; k++) {
-        d = prt__turn_back(prt__twins((double)plus[k], 0), prt__twins((double)plus[-k], 0), g->c[k], g->s[k], 1, zero,
+        d = prt__turn_back(prt__twins((double)plus[k], 0), prt__twins((double)plus[-k], 0), g->c[k], g->s[k], one, zero,
                            &c, &s);
-        e[k] = prt__entry_of((prt_real)(d[0] * g->scale[k]));
+        e[k] = prt__entry_of((prt_real)(d[0] * g->scale[k][0]));
     }
     for (m = 1, e += l + 1; m <= l; m++, e += size + 1) {
-        double ac = a->c[m];
-        prt__twin as = prt__twins(a->s[m], -a->s[m]), scale = prt__twins(a->scale[m], a->scale[m]);
+        prt__twin ac = a->c[m], as = a->s[m] * sign, scale = a->scale[m];
         plus += size;
         minus -= size;
-        d = prt__turn_back(prt__twins((double)plus[0], (double)minus[0]), zero, 1, 0, ac, as, &c, &s);
-        e[0] = prt__entry_of((prt_real)(d[0] * a->scale[m]));
+        d = prt__turn_back(prt__twins((double)plus[0], (double)minus[0]), zero, one, zero, ac, as, &c, &s);
+        e[0] = prt__entry_of((prt_real)(d[0] * scale[0]));
         for (k = 1; k <= l; k++) {
             d = prt__turn_back(prt__twins((double)plus[k], (double)minus[k]),
                                prt__twins((double)plus[-k], (double)minus[-k]), g->c[k], g->s[k], ac, as, &c, &s);
@@ -3888,29 +3891,28 @@ PRT__INLINE void prt__vectors_store(prt_real *out, size_t stride, const prt__vec
     for (k = 0; k < PRT__LANES; k++) prt__vec_store(out + (size_t)k * stride, v[k]);
 }
 
-/* sum = M v for one block, or with size = 4 the first two, in registers. */
-PRT__INLINE void prt__block_sums(int factors, int size, const prt__entry *m, const prt__vec *v, prt__vec *sum) {
-    int i;
-    if (size == 4) {
-        prt__block_rows(1, 1, m, v, sum);
-        prt__block_rows(3, 3, m + 1, v + 1, sum + 1);
-    } else if (factors) {
-        prt__factor_lanes(size / 2, m, (const prt_real *)v, PRT__LANES, (prt_real *)sum, PRT__LANES);
-    } else {
+/* sum = M v for band l, in registers. */
+PRT__INLINE void prt__block_sums(int factors, int l, const prt__entry *m, const prt__vec *v, prt__vec *sum) {
+    int i, size = 2 * l + 1;
+    if (factors && l > 1) prt__factor_lanes(l, m, (const prt_real *)v, PRT__LANES, (prt_real *)sum, PRT__LANES);
+    else {
         PRT__UNROLL
         for (i = 0; i < size; i += 4) prt__block_rows(size - i < 4 ? size - i : 4, size, m + i * size, v, sum + i);
     }
 }
 
-/* The same of PRT__LANES vectors, `stride` apart. */
-PRT__INLINE void prt__block_vectors(int factors, int size, const prt__entry *m, const prt_real *f, prt_real *out,
+/* Band l of PRT__LANES vectors, `stride` apart, with the band below where l is odd: the two have a multiple of four
+   coefficients. */
+PRT__INLINE void prt__block_vectors(int factors, int l, const prt__entry *m, const prt_real *f, prt_real *out,
                                     size_t stride) {
-    prt__vec v[2 * PRT__ENTRY_BANDS - 1], sum[2 * PRT__ENTRY_BANDS - 1];
-    int i;
-    if (size % PRT__LANES) prt__vectors_load(f + size - PRT__LANES, stride, v + size - PRT__LANES);
+    enum { MOST = 4 * PRT__ENTRY_BANDS - 4 };
+    prt__vec v[MOST], sum[MOST];
+    int i, below = l % 2 ? 2 * l - 1 : 0, size = below + 2 * l + 1;
     PRT__UNROLL
     for (i = 0; i + PRT__LANES <= size; i += PRT__LANES) prt__vectors_load(f + i, stride, v + i);
-    prt__block_sums(factors, size, m, v, sum);
+    if (size % PRT__LANES) prt__vectors_load(f + size - PRT__LANES, stride, v + size - PRT__LANES);
+    if (below) prt__block_sums(factors, l - 1, m, v, sum);
+    prt__block_sums(factors, l, m + below * below, v + below, sum + below);
     PRT__UNROLL
     for (i = 0; i + PRT__LANES <= size; i += PRT__LANES) prt__vectors_store(out + i, stride, sum + i);
     if (size % PRT__LANES) prt__vectors_store(out + size - PRT__LANES, stride, sum + size - PRT__LANES);
@@ -3919,7 +3921,7 @@ PRT__INLINE void prt__block_vectors(int factors, int size, const prt__entry *m, 
 typedef void prt__vectors_kernel(const prt__entry *m, const prt_real *f, prt_real *out, size_t stride);
 #define PRT__VECTORS_KERNEL(name, factors, l) \
     PRT__STATIC void prt__##name##_vectors_##l(const prt__entry *m, const prt_real *f, prt_real *out, size_t stride) { \
-        prt__block_vectors(factors, l == 1 ? 4 : 2 * l + 1, m, f, out, stride); \
+        prt__block_vectors(factors, l, m, f, out, stride); \
     }
 PRT__VECTORS_KERNEL(block, 0, 1) PRT__VECTORS_KERNEL(block, 0, 2) PRT__VECTORS_KERNEL(block, 0, 3)
 PRT__VECTORS_KERNEL(block, 0, 4) PRT__VECTORS_KERNEL(block, 0, 5) PRT__VECTORS_KERNEL(block, 0, 6)
@@ -3947,9 +3949,9 @@ PRT__STATIC int prt__rotate_vectors(int bands, const prt__built *built, int lane
         for (k = 0; k < lanes; k++) memcpy(out + (size_t)k * stride, part[k], bytes);
         return low;
     }
-    prt__vectors_kernels[0][1](built->entries, f, out, stride);
-    for (l = 2; l < low; l++)
-        prt__vectors_kernels[built->factors][l](built->entries + prt__block_offset(l), f + l * l, out + l * l, stride);
+    for (l = 0; l < low; l += 2)
+        prt__vectors_kernels[built->factors][l + 1 < low ? l + 1 : l](built->entries + prt__block_offset(l), f + l * l,
+                                                                      out + l * l, stride);
     return low;
 }
 #else
@@ -3967,13 +3969,13 @@ PRT__INLINE int prt__rotate_vectors(int bands, const prt__built *built, int lane
 #if PRT__RGB_VECTORS
 PRT__SHUFFLE(prt__without_first, 1, 2, 3, 3)
 
-PRT__INLINE void prt__block_rgb(int factors, int size, const prt__entry *m, const prt_real *f, prt_real *out) {
-    prt__vec x[2 * PRT__ENTRY_BANDS - 1], sum[2 * PRT__ENTRY_BANDS - 1], last = prt__vec_load(f + 3 * size - 4);
-    int i;
+PRT__INLINE void prt__block_rgb(int factors, int l, const prt__entry *m, const prt_real *f, prt_real *out) {
+    prt__vec x[2 * PRT__ENTRY_BANDS - 1], sum[2 * PRT__ENTRY_BANDS - 1], last = prt__vec_load(f + 6 * l - 1);
+    int i, size = 2 * l + 1;
     PRT__UNROLL
     for (i = 0; i < size - 1; i++) x[i] = prt__vec_load(f + 3 * i);
     x[i] = prt__without_first(last, last);
-    prt__block_sums(factors, size, m, x, sum);
+    prt__block_sums(factors, l, m, x, sum);
     PRT__UNROLL
     for (i = 0; i < size - 1; i++) prt__vec_store(out + 3 * i, sum[i]);
     memcpy(out + 3 * i, &sum[i], 3 * sizeof *out);
@@ -3982,7 +3984,7 @@ PRT__INLINE void prt__block_rgb(int factors, int size, const prt__entry *m, cons
 typedef void prt__rgb_kernel(const prt__entry *m, const prt_real *f, prt_real *out);
 #define PRT__RGB_KERNEL(name, factors, l) \
     PRT__STATIC void prt__##name##_rgb_##l(const prt__entry *m, const prt_real *f, prt_real *out) { \
-        prt__block_rgb(factors, 2 * l + 1, m, f, out); \
+        prt__block_rgb(factors, l, m, f, out); \
     }
 PRT__RGB_KERNEL(block, 0, 1) PRT__RGB_KERNEL(block, 0, 2) PRT__RGB_KERNEL(block, 0, 3) PRT__RGB_KERNEL(block, 0, 4)
 PRT__RGB_KERNEL(block, 0, 5) PRT__RGB_KERNEL(block, 0, 6) PRT__RGB_KERNEL(block, 0, 7)
@@ -4114,17 +4116,35 @@ PRT__STATIC void prt__rotate_row_part(int l, int lanes, prt__block_kernel *kerne
     for (j = 0; j < size; j++) prt__vec_store_part(out + (size_t)j * stride, y[j], lanes);
 }
 
+/* A low band of PRT__ROW_CHUNK groups of lanes, copied. Rows whole pages apart share few places of a cache, too few for
+   all of a band's to stay until the rest of a line is needed. */
+enum { PRT__ROW_CHUNK = 256 / (int)sizeof(prt__vec) };
+PRT__STATIC void prt__rotate_row_chunk(int l, prt__block_kernel *kernel, const prt__entry *entries, const prt_real *f,
+                                       prt_real *out, size_t stride) {
+    prt__vec x[2 * PRT__ENTRY_BANDS - 1][PRT__ROW_CHUNK], y[2 * PRT__ENTRY_BANDS - 1][PRT__ROW_CHUNK];
+    const size_t step = PRT__ROW_CHUNK * PRT__LANES;
+    int j, k;
+    for (j = 0; j <= 2 * l; j++) memcpy(x[j], f + (size_t)j * stride, sizeof x[j]);
+    for (k = 0; k < PRT__ROW_CHUNK; k++)
+        kernel(entries, (const prt_real *)&x[0][k], step, (prt_real *)&y[0][k], step);
+    for (j = 0; j <= 2 * l; j++) memcpy(out + (size_t)j * stride, y[j], sizeof y[j]);
+}
+
 /* Rows of coefficients, band after band: so only the rows of one band are streams at a time. */
 PRT__STATIC void prt__rotate_rows(int bands, const prt_real *blocks, int count, const prt_real *f, prt_real *out,
                                   size_t stride) {
     prt__entry room[PRT__ENTRIES];
     prt__built built = prt__block_entries(bands, blocks, room);
+    const int whole = PRT__ROW_CHUNK * PRT__LANES, crowded = PRT__FACTORS && stride * sizeof *f % 4096 == 0;
     int l, k;
     for (l = 0; l < bands; l++) {
         size_t row = (size_t)(l * l) * stride, block = prt__block_offset(l);
         prt__block_kernel *kernel = l < PRT__ENTRY_BANDS ? prt__block_kernels[built.factors][l] : NULL;
         const prt__entry *m = built.entries + (kernel ? block : 0);
-        for (k = 0; k < count; k += PRT__LANES) {
+        k = 0;
+        for (; kernel && l >= 4 && crowded && count - k >= whole; k += whole)
+            prt__rotate_row_chunk(l, kernel, m, f + row + k, out + row + k, stride);
+        for (; k < count; k += PRT__LANES) {
             const prt_real *from = f + row + k;
             prt_real *to = out + row + k;
             int lanes = count - k < PRT__LANES ? count - k : PRT__LANES;
