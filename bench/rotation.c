@@ -196,7 +196,7 @@ static void print_points(FILE *csv, FILE *page, FILE *peer_csv) {
                     points[k][i].bands, points[k][i].ns, points[k][i].error);
     if (!page) return;
     fprintf(page, "\n## Error against time\n\nLargest error of a coefficient against long double, for input as it was rounded, and the least time of "
-                  "15 runs, for one vector or direction. |f_i| <= 1. Each line runs through 2, 3, 4, 5, 6, 8, 10, 16 and 32 bands.\n\n"
+                  "15 runs, for one vector or direction; many are 1024 to 8 bands, 64 above. |f_i| <= 1. Each line runs through 2, 3, 4, 5, 6, 8, 10, 16 and 32 bands.\n\n"
                   "![Rotation: error against time](plots/rotation_pareto.svg)\n\n"
                   "![Cpherical harmonics: error against time](plots/ch_pareto.svg)\n\n"
                   "| | bands | float, ns | portable, ns | double, ns | float, error | double, error |\n"

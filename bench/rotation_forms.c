@@ -44,13 +44,15 @@ int JOIN(rotation_blocks_, ROTATION_ID)(double *published, double *stabilised) {
 
 /* ---- error against time ---- */
 
-enum { LARGEST = ROTATION_LARGEST, MOST = LARGEST * LARGEST, ITEMS = 64 };
+/* Many are 1024 as far as 8 bands, 64 above. */
+enum { LARGEST = ROTATION_LARGEST, MOST = LARGEST * LARGEST, ITEMS = 1024, FEWER = 64, ROOM = FEWER * MOST, TRIED = 13 };
+static int many(int bands) { return bands <= 8 ? ITEMS : FEWER; }
 typedef struct work {
-    prt_real f[ITEMS * MOST], out[ITEMS * MOST], rotation[9], blocks[LARGEST * (4 * MOST - 1) / 3];
+    prt_real f[ROOM], out[ROOM], rotation[9], blocks[LARGEST * (4 * MOST - 1) / 3];
     prt_real x[ITEMS], y[ITEMS], z[ITEMS];
     prt_vec3 dirs[ITEMS];
 } work;
-typedef void way(int bands, work *w);                          /* does it once, or for ITEMS items */
+typedef void way(int bands, work *w);                          /* does it once, or for many items */
 
 static void one_shot(int n, work *w) { prt_sh_rotate(n, w->rotation, w->f, w->out); }
 static void build_and_apply(int n, work *w) {
@@ -58,29 +60,32 @@ static void build_and_apply(int n, work *w) {
     prt_sh_rotate_by(n, w->blocks, w->f, w->out);
 }
 static void apply(int n, work *w) { prt_sh_rotate_by(n, w->blocks, w->f, w->out); }
-static void apply_n(int n, work *w) { prt_sh_rotate_by_n(n, w->blocks, ITEMS, w->f, w->out); }
-static void apply_soa(int n, work *w) { prt_sh_rotate_by_soa(n, w->blocks, ITEMS, w->f, w->out, ITEMS); }
+static void apply_n(int n, work *w) { prt_sh_rotate_by_n(n, w->blocks, many(n), w->f, w->out); }
+static void apply_soa(int n, work *w) {
+    prt_sh_rotate_by_soa(n, w->blocks, many(n), w->f, w->out, (size_t)many(n));
+}
 static void ch_one(int n, work *w) { prt_ch_eval(n, w->dirs[0], w->out); }
-static void ch_n(int n, work *w) { prt_ch_eval_n(n, ITEMS, w->dirs, w->out); }
-static void ch_soa(int n, work *w) { prt_ch_eval_soa(n, ITEMS, w->x, w->y, w->z, w->out, ITEMS); }
+static void ch_n(int n, work *w) { prt_ch_eval_n(n, many(n), w->dirs, w->out); }
+static void ch_soa(int n, work *w) { prt_ch_eval_soa(n, many(n), w->x, w->y, w->z, w->out, (size_t)many(n)); }
 
-static const struct { const char *what, *name; way *run; int items, rows; } ways[] = {
-    { "rotation", "one shot", one_shot, 1, 0 },
-    { "rotation", "blocks built for one vector", build_and_apply, 1, 0 },
-    { "rotation", "built blocks on one vector", apply, 1, 0 },
-    { "rotation", "built blocks on many vectors", apply_n, ITEMS, 0 },
-    { "rotation", "built blocks on rows", apply_soa, ITEMS, 1 },
-    { "ch", "one direction", ch_one, 1, 0 },
-    { "ch", "many directions", ch_n, ITEMS, 0 },
-    { "ch", "rows", ch_soa, ITEMS, 1 }
+static const struct { const char *what, *name; way *run; int many, rows; } ways[] = {
+    { "rotation", "one shot", one_shot, 0, 0 },
+    { "rotation", "blocks built for one vector", build_and_apply, 0, 0 },
+    { "rotation", "built blocks on one vector", apply, 0, 0 },
+    { "rotation", "built blocks on many vectors", apply_n, 1, 0 },
+    { "rotation", "built blocks on rows", apply_soa, 1, 1 },
+    { "ch", "one direction", ch_one, 0, 0 },
+    { "ch", "many directions", ch_n, 1, 0 },
+    { "ch", "rows", ch_soa, 1, 1 }
 };
 enum { WAYS = (int)(sizeof ways / sizeof ways[0]) };
+static int items_of(int k, int bands) { return ways[k].many ? many(bands) : 1; }
 
 static void prepare(int bands, int trial, work *w) {
     int i;
     turn_number(trial, w->rotation);
     prt_sh_rotation(bands, w->rotation, w->blocks);
-    for (i = 0; i < ITEMS * bands * bands; i++) w->f[i] = (prt_real)sin(1.0 + i + 0.37 * i * (trial + 1));
+    for (i = 0; i < many(bands) * bands * bands; i++) w->f[i] = (prt_real)sin(1.0 + i + 0.37 * i * (trial + 1));
     for (i = 0; i < ITEMS; i++) {
         double z = 1 - 2 * (i + 0.5) / ITEMS, r = sqrt(1 - z * z), phi = 2.4 * i + trial;
         w->dirs[i] = prt__vec3((prt_real)(r * cos(phi)), (prt_real)(r * sin(phi)), (prt_real)z);
@@ -92,27 +97,27 @@ static void prepare(int bands, int trial, work *w) {
 
 static work all __attribute__((aligned(64)));
 
-/* Largest error of one item; its coefficients stand ITEMS apart in rows. */
+/* Largest error of one item; its coefficients stand far apart in rows. */
 static double item_error(int k, int bands, int item, rotation_truth *truth, const work *w) {
     static double in[MOST], want[MOST];
     double r[9], worst = 0;
     int i, n = bands * bands;
-    for (i = 0; i < n; i++) in[i] = (double)w->f[ways[k].rows ? i * ITEMS + item : item * n + i];
+    for (i = 0; i < n; i++) in[i] = (double)w->f[ways[k].rows ? i * many(bands) + item : item * n + i];
     for (i = 0; i < 9; i++) r[i] = (double)w->rotation[i];
     if (ways[k].what[0] == 'c') { r[0] = (double)w->x[item]; r[1] = (double)w->y[item]; r[2] = (double)w->z[item]; }
     truth(bands, r, in, want);
     for (i = 0; i < n; i++)
-        keep_larger(&worst, fabs((double)w->out[ways[k].rows ? i * ITEMS + item : item * n + i] - want[i]));
+        keep_larger(&worst, fabs((double)w->out[ways[k].rows ? i * many(bands) + item : item * n + i] - want[i]));
     return worst;
 }
 
 static double time_of(int k, int bands, work *w) {
     double best = HUGE_VAL;
-    int round, i, repeats = 1 + 200000 / (bands * bands * bands * ways[k].items + 200);
+    int round, i, items = items_of(k, bands), repeats = 1 + 200000 / (bands * bands * bands * items + 200);
     for (round = 0; round < 15; round++) {
         double start = bench_seconds(), t;
         for (i = 0; i < repeats; i++) { ways[k].run(bands, w); BENCH_KEEP(w->out); }
-        t = (bench_seconds() - start) * 1e9 / repeats / ways[k].items;
+        t = (bench_seconds() - start) * 1e9 / repeats / items;
         if (t < best) best = t;
     }
     return best;
@@ -125,6 +130,7 @@ int JOIN(rotation_points_, ROTATION_ID)(rotation_truth *turned, rotation_truth *
     for (k = 0; k < WAYS; k++)
         for (b = 0; b < sizeof all_bands / sizeof *all_bands; b++) {
             rotation_point p;
+            int items = items_of(k, all_bands[b]);
             p.what = ways[k].what;
             p.form = ways[k].name;
             p.bands = all_bands[b];
@@ -132,7 +138,7 @@ int JOIN(rotation_points_, ROTATION_ID)(rotation_truth *turned, rotation_truth *
             for (trial = 0; trial < ROTATION_TRIALS; trial++) {
                 prepare(p.bands, trial, &all);
                 ways[k].run(p.bands, &all);
-                for (item = 0; item < ways[k].items; item += 5)
+                for (item = 0; item < items; item += 1 + items / TRIED)
                     keep_larger(&p.error, item_error(k, p.bands, item, p.what[0] == 'c' ? ch : turned, &all));
             }
             p.ns = time_of(k, p.bands, &all);
