@@ -82,12 +82,12 @@ enum { WAYS = (int)(sizeof ways / sizeof ways[0]) };
 static int items_of(int k, int bands) { return ways[k].many ? many(bands) : 1; }
 
 static void prepare(int bands, int trial, work *w) {
-    int i;
+    int i, items = many(bands);
     turn_number(trial, w->rotation);
     prt_sh_rotation(bands, w->rotation, w->blocks);
-    for (i = 0; i < many(bands) * bands * bands; i++) w->f[i] = (prt_real)sin(1.0 + i + 0.37 * i * (trial + 1));
-    for (i = 0; i < ITEMS; i++) {
-        double z = 1 - 2 * (i + 0.5) / ITEMS, r = sqrt(1 - z * z), phi = 2.4 * i + trial;
+    for (i = 0; i < items * bands * bands; i++) w->f[i] = (prt_real)sin(1.0 + i + 0.37 * i * (trial + 1));
+    for (i = 0; i < items; i++) {
+        double z = 1 - 2 * (i + 0.5) / items, r = sqrt(1 - z * z), phi = 2.4 * i + trial;
         w->dirs[i] = prt__vec3((prt_real)(r * cos(phi)), (prt_real)(r * sin(phi)), (prt_real)z);
         w->x[i] = w->dirs[i].x;
         w->y[i] = w->dirs[i].y;
