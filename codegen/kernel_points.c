@@ -173,9 +173,9 @@ static void corner_products(kernel *k, const parts p[2], node all[4], node less[
     for (i = 0; i < 2; i++) {
         node even[2][2], odd[2][2];
         for (j = 0; j < 2; j++) {
-            node plane = (i ? k_sub : k_add)(k, p[j].mixed[1], p[j].mixed[2]);
+            node zx_xy = (i ? k_sub : k_add)(k, p[j].mixed[1], p[j].mixed[2]);
             node yz = (i ? k_sub : k_add)(k, p[j].sum[1], p[j].sum[2]);
-            both_ways(k, whole[j][i], 1, plane, &even[j][0], &even[j][1]);
+            both_ways(k, whole[j][i], 1, zx_xy, &even[j][0], &even[j][1]);
             both_ways(k, x[j][i], 1, yz, &odd[j][i], &odd[j][1 - i]);
         }
         for (j = 0; j < 2; j++) {
