@@ -104,6 +104,7 @@
      [Sloan 2013]        Sloan: Efficient Spherical Harmonic Evaluation. JCGT 2(2), 2013
      [Schulten 1975]     Schulten, Gordon: Exact Recursive Evaluation of 3j- and 6j-Coefficients. J. Math. Phys. 16, 1975
      [McLaren 1963]      McLaren: Optimal Numerical Integration on a Sphere. Mathematics of Computation 17(84), 1963
+     [Lebedev 1976]      Lebedev: Quadratures on a sphere. USSR Computational Mathematics and Mathematical Physics 16(2)
      [Driscoll 1994]     Driscoll, Healy: Computing Fourier Transforms and Convolutions on the 2-Sphere. Adv. Appl. Math. 15
      [Ren 2006]          Ren et al.: Real-time Soft Shadows in Dynamic Scenes using Spherical Harmonic Exponentiation.
                          SIGGRAPH 2006
@@ -533,9 +534,9 @@ PRTDEF prt_result prt_sh_square(int bands, const prt_real *f, prt_real *out);
 /* Many products, a vector of them at once: coefficient i of pair k at f[i*stride+k], g[i*stride+k], out[i*stride+k].
    stride >= count >= 0, else PRT_ERR_COUNT; pointers may be NULL if count is 0. out may be f, g or both (the same
    pointer). Each pair gets the same bits whatever count and place it comes in; they may differ from prt_sh_product's in
-   the last places. Method: as above, a pair in each lane; at 4 bands by values at 32 points that integrate
-   polynomials of degree 9 exactly [McLaren 1963] (docs/math.md).
-   Cost per pair at 3, 4, 5, 6 bands: 0.8, 2.7, 12, 18 ns with AVX-512, 1.9, 5.5, 22, 36 with AVX2, 3.8, 13, 50, 85 with
+   the last places. Method: as above, a pair in each lane; at 4 and 5 bands by values at 32 and 74 points that integrate
+   polynomials of degree 9 and 12 exactly [McLaren 1963, Lebedev 1976] (docs/math.md).
+   Cost per pair at 3, 4, 5, 6 bands: 0.8, 2.6, 8, 18 ns with AVX-512, 1.9, 5.5, 17, 36 with AVX2, 3.8, 13, 36, 85 with
    SSE2: 4 to 25 times faster than XMSHMultiply. At 10 bands 0.2 us with AVX-512.
    Above 16 bands pair after pair, as prt_sh_product. Stack: to 110 KB. */
 PRTDEF prt_result prt_sh_product_soa(int bands, int count, const prt_real *f, const prt_real *g, prt_real *out,
@@ -5785,7 +5786,7 @@ PRT__STATIC void prt__grid_product_v(const prt__grid_block *block, const prt_rea
 /* ---- 3 to 6 bands: generated rows and products of rows; see codegen/kernel_nodes.c ----
 
    The same nodes, with weights that one table serves all three functions. A vector holds a circle in each lane (one product;
-   the mirror images at -z too, where they fit beside) or a product in each lane (a batch). */
+   the mirror images at -z too, where they fit beside) or, at 6 bands, a product in each lane (a batch). */
 
 enum {
     PRT__NODE_BANDS = 6,
@@ -5799,7 +5800,7 @@ typedef void prt__terms_kernel(const prt__vec *even, const prt__vec *odd, const 
 typedef void prt__row_kernel_v(const prt__vec *w, const prt__vec *v, prt__vec *out);
 typedef void prt__rows_kernel_v(const prt__vec *f, const prt_real *q, prt__vec *plus, prt__vec *minus);
 static prt__rows_kernel prt__sh_rows_3, prt__sh_rows_4, prt__sh_rows_5, prt__sh_rows_6;
-static prt__rows_kernel_v prt__sh_rows_5_v, prt__sh_rows_6_v;
+static prt__rows_kernel_v prt__sh_rows_6_v;
 static prt__terms_kernel prt__sh_terms_3, prt__sh_terms_4, prt__sh_terms_5, prt__sh_terms_6;
 static prt__row_kernel_v prt__row_product_3_v, prt__row_product_4_v, prt__row_product_5_v, prt__row_product_6_v;
 static const prt_real *prt__nodes_3(void), *prt__nodes_4(void), *prt__nodes_5(void), *prt__nodes_6(void);
@@ -5861,8 +5862,7 @@ PRT__STATIC void prt__product_6(const prt_real *f, const prt_real *g, prt_real *
 /* The factors of a batch: those of one node after the other, the same in all lanes */
 typedef struct prt__node_block { prt_real q[4][PRT__NODE_BANDS * (PRT__NODE_BANDS + 1) / 2 * PRT__NODES]; } prt__node_block;
 
-PRT__STATIC void prt__node_block_init(prt__node_block *block, int bands) {
-    const prt_real *q = bands == 5 ? prt__nodes_5() : prt__nodes_6();
+PRT__STATIC void prt__node_block_init(prt__node_block *block, int bands, const prt_real *q) {
     int k, i;
     for (k = 0; k < prt__node_pairs(bands); k++)
         for (i = 0; i < bands * (bands + 1) / 2; i++)
@@ -5910,13 +5910,44 @@ PRT__INLINE void prt__block_product(int bands, const prt__node_block *block, prt
     prt__block_project(bands, block, even[0], odd[0], out, stride);
 }
 
-PRT__STATIC void prt__product_5_block(const prt__node_block *block, const prt_real *f, const prt_real *g, prt_real *out,
-                                      size_t stride) {
-    prt__block_product(5, block, prt__sh_rows_5_v, prt__row_product_5_v, f, g, out, stride);
-}
 PRT__STATIC void prt__product_6_block(const prt__node_block *block, const prt_real *f, const prt_real *g, prt_real *out,
                                       size_t stride) {
     prt__block_product(6, block, prt__sh_rows_6_v, prt__row_product_6_v, f, g, out, stride);
+}
+
+/* ---- batches of 5 bands: by values at points; see codegen/kernel_points.c ---- */
+
+/* Parts of a function, and sums over points, by axis */
+enum { PRT__PARTS_ROW = 12, PRT__SUMS_ROW = 9 };
+
+typedef void prt__axis_kernel(const prt__vec *fn, const prt__vec *fi, const prt__vec *fj, const prt__vec *gn,
+                              const prt__vec *gi, const prt__vec *gj, prt__vec *PRT__RESTRICT sn,
+                              prt__vec *PRT__RESTRICT si, prt__vec *PRT__RESTRICT sj);
+static prt__axis_kernel prt__point_octants_5_v, prt__point_plane_5_v;
+static void prt__point_parts_5_v(const prt_real *f, prt__vec *PRT__RESTRICT parts, size_t stride);
+static void prt__point_corners_5_v(const prt__vec *f, const prt__vec *g, prt__vec *PRT__RESTRICT sums);
+static void prt__point_coefficients_5_v(const prt__vec *sums, prt_real *out, size_t stride);
+
+/* For each axis, with the two that follow it */
+PRT__INLINE void prt__each_axis(prt__axis_kernel *add, const prt__vec *f, const prt__vec *g, prt__vec *sums) {
+    int n;
+    PRT__UNROLL
+    for (n = 0; n < 3; n++) {
+        const int i = n < 2 ? n + 1 : 0, j = n ? n - 1 : 2, row = PRT__PARTS_ROW, to = PRT__SUMS_ROW;
+        add(f + n * row, f + i * row, f + j * row, g + n * row, g + i * row, g + j * row, sums + n * to, sums + i * to,
+            sums + j * to);
+    }
+}
+
+/* PRT__LANES products at once */
+PRT__STATIC void prt__product_5_block(const prt_real *f, const prt_real *g, prt_real *out, size_t stride) {
+    prt__vec a[3 * PRT__PARTS_ROW], b[3 * PRT__PARTS_ROW], sums[3 * PRT__SUMS_ROW];
+    prt__point_parts_5_v(f, a, stride);
+    prt__point_parts_5_v(g, b, stride);
+    prt__point_corners_5_v(a, b, sums);
+    prt__each_axis(prt__point_octants_5_v, a, b, sums);
+    prt__each_axis(prt__point_plane_5_v, a, b, sums);
+    prt__point_coefficients_5_v(sums, out, stride);
 }
 
 /* ---- dispatch ---- */
@@ -5972,7 +6003,7 @@ PRT__STATIC void prt__lanes_in(int count, const prt_real *from, size_t stride, i
         prt__vec_store(block + i * PRT__LANES, prt__vec_load_part(from + (size_t)i * stride, lanes));
 }
 
-/* What a batch of so many bands prepares: the factors of its nodes */
+/* What a batch of 6 bands or more prepares: the factors of its nodes */
 typedef struct prt__batch {
     prt__node_block block;
     prt__grid_block grid;
@@ -5980,7 +6011,7 @@ typedef struct prt__batch {
 
 PRT__STATIC void prt__batch_init(prt__batch *batch, int bands) {
     if (bands > PRT__NODE_BANDS) prt__grid_block_init(&batch->grid, bands);
-    else if (bands > 4) prt__node_block_init(&batch->block, bands);
+    else if (bands == 6) prt__node_block_init(&batch->block, bands, prt__nodes_6());
 }
 
 PRT__STATIC void prt__product_lanes(int bands, const prt__batch *batch, const prt_real *f, const prt_real *g,
@@ -5990,7 +6021,7 @@ PRT__STATIC void prt__product_lanes(int bands, const prt__batch *batch, const pr
     case 2: prt__sh_products_2_v(f, g, out, stride); break;
     case 3: prt__sh_products_3_v(f, g, out, stride); break;
     case 4: prt__sh_products_4_v(f, g, out, stride); break;
-    case 5: prt__product_5_block(&batch->block, f, g, out, stride); break;
+    case 5: prt__product_5_block(f, g, out, stride); break;
     case 6: prt__product_6_block(&batch->block, f, g, out, stride); break;
     default: prt__grid_product_v(&batch->grid, f, g, out, stride);
     }
@@ -15711,13 +15742,13 @@ PRT__STATIC void prt__sh_products_4_v(const prt_real *f, const prt_real *g, prt_
     const prt__vec t83 = t71 - t81;
     const prt__vec t84 = t31 + t47;
     const prt__vec t85 = t74 + t84;
-    const prt__vec t86 = t74 - t84;
+    const prt__vec t86 = t84 - t74;
     const prt__vec t87 = t69 + t70;
     const prt__vec t88 = t76 + t87;
     const prt__vec t89 = t76 - t87;
     const prt__vec t90 = t32 + t48;
     const prt__vec t91 = t79 + t90;
-    const prt__vec t92 = t79 - t90;
+    const prt__vec t92 = t90 - t79;
     const prt__vec t93 = (t88 + t91) * (t82 + t85);
     const prt__vec t94 = (t88 - t91) * (t82 - t85);
     const prt__vec t95 = t93 + t94;
@@ -15731,13 +15762,13 @@ PRT__STATIC void prt__sh_products_4_v(const prt_real *f, const prt_real *g, prt_
     const prt__vec t103 = t72 - t101;
     const prt__vec t104 = t31 - t47;
     const prt__vec t105 = t75 + t104;
-    const prt__vec t106 = t75 - t104;
+    const prt__vec t106 = t104 - t75;
     const prt__vec t107 = t69 - t70;
     const prt__vec t108 = t77 + t107;
     const prt__vec t109 = t77 - t107;
     const prt__vec t110 = t32 - t48;
     const prt__vec t111 = t80 + t110;
-    const prt__vec t112 = t80 - t110;
+    const prt__vec t112 = t110 - t80;
     const prt__vec t113 = (t108 + t112) * (t102 + t106);
     const prt__vec t114 = (t108 - t112) * (t102 - t106);
     const prt__vec t115 = t113 + t114;
@@ -15750,25 +15781,25 @@ PRT__STATIC void prt__sh_products_4_v(const prt_real *f, const prt_real *g, prt_
     const prt__vec t122 = t95 + t99;
     const prt__vec t123 = t121 + t122;
     const prt__vec t124 = t122 - t121;
-    const prt__vec t125 = t95 - t99;
-    const prt__vec t126 = t115 - t119;
+    const prt__vec t125 = t115 - t119;
+    const prt__vec t126 = t95 - t99;
     const prt__vec t127 = t125 + t126;
-    const prt__vec t128 = t125 - t126;
+    const prt__vec t128 = t126 - t125;
     const prt__vec t129 = t116 + t120;
     const prt__vec t130 = t96 + t100;
     const prt__vec t131 = t129 + t130;
     const prt__vec t132 = t130 - t129;
-    const prt__vec t133 = t96 - t100;
-    const prt__vec t134 = t120 - t116;
+    const prt__vec t133 = t120 - t116;
+    const prt__vec t134 = t96 - t100;
     const prt__vec t135 = t133 + t134;
-    const prt__vec t136 = t133 - t134;
+    const prt__vec t136 = t134 - t133;
     const prt__vec t137 = PRT__R(0.000599152697112261060473) * t124;
     const prt__vec t138 = PRT__R(0.000599152697112261060473) * t127;
     const prt__vec t139 = PRT__R(0.000599152697112261060473) * t128;
-    const prt__vec t140 = PRT__R(0.000915220862451295214354) * t132;
-    const prt__vec t141 = PRT__R(0.00015470056118340291772) * t131;
-    const prt__vec t142 = PRT__R(0.00015470056118340291772) * t135;
-    const prt__vec t143 = PRT__R(0.00015470056118340291772) * t136;
+    const prt__vec t140 = PRT__R(0.000915220862451295214354) * t136;
+    const prt__vec t141 = PRT__R(0.00015470056118340291772) * t135;
+    const prt__vec t142 = PRT__R(0.00015470056118340291772) * t131;
+    const prt__vec t143 = PRT__R(0.00015470056118340291772) * t132;
     const prt__vec t144 = PRT__R(0.00015470056118340291772) * t123;
     const prt__vec t145 = t61 + PRT__R(0.381966011250105151795) * t55;
     const prt__vec t146 = t62 + PRT__R(0.381966011250105151795) * t56;
@@ -16015,6 +16046,600 @@ PRT__STATIC void prt__sh_products_4_v(const prt_real *f, const prt_real *g, prt_
     prt__vec_store(out + 14 * stride, t371);
     prt__vec_store(out + 9 * stride, t372);
     prt__vec_store(out + 15 * stride, t373);
+}
+
+/* END GENERATED */
+
+/* BEGIN GENERATED: prt_codegen --lang c --emit point_parts,point_coefficients --bands 5 */
+/* parts of a function, 5 bands: 44 multiplications, 52 additions (31 can fuse), 25 loads, 34 stores */
+PRT__INLINE void prt__point_parts_5_v(const prt_real *f, prt__vec *PRT__RESTRICT parts, size_t stride) {
+    const prt__vec t1 = prt__vec_load(f + 20 * stride);
+    const prt__vec t2 = prt__vec_load(f);
+    const prt__vec t3 = prt__vec_load(f + 6 * stride);
+    const prt__vec t4 = PRT__R(1.1180339887498948482) * t3;
+    const prt__vec t5 = PRT__R(1.125) * t1 + (t2 - t4);
+    const prt__vec t6 = prt__vec_load(f + 24 * stride);
+    const prt__vec t7 = t5 + PRT__R(2.21852991866235601596) * t6;
+    const prt__vec t8 = PRT__R(1.93649167310370844259) * prt__vec_load(f + 8 * stride);
+    const prt__vec t9 = prt__vec_load(f + 22 * stride);
+    const prt__vec t10 = t8 - PRT__R(1.67705098312484227231) * t9;
+    const prt__vec t11 = t7 + t10;
+    const prt__vec t12 = t7 - t10;
+    const prt__vec t13 = PRT__R(2.0) * t5 - PRT__R(13.3111795119741360958) * t6;
+    const prt__vec t14 = (t4 + PRT__R(2.0) * t2) - PRT__R(9.0) * t1;
+    const prt__vec t15 = t8 + PRT__R(10.0623058987490536338) * t9;
+    const prt__vec t16 = t14 + t15;
+    const prt__vec t17 = t14 - t15;
+    const prt__vec t18 = (t2 + PRT__R(2.23606797749978969641) * t3) + PRT__R(3.0) * t1;
+    const prt__vec t19 = (PRT__R(9.0) * t2 - PRT__R(10.5) * t1) - PRT__R(8.87411967464942406385) * t6;
+    const prt__vec t20 = PRT__R(3.60555127546398929312) * prt__vec_load(f + 3 * stride);
+    const prt__vec t21 = prt__vec_load(f + 13 * stride);
+    const prt__vec t22 = t20 - PRT__R(3.37268439080801036639) * t21;
+    const prt__vec t23 = prt__vec_load(f + 15 * stride);
+    const prt__vec t24 = t22 + PRT__R(4.35411682587104377448) * t23;
+    const prt__vec t25 = t22 - PRT__R(13.0623504776131313234) * t23;
+    const prt__vec t26 = t20 + PRT__R(13.4907375632320414656) * t21;
+    const prt__vec t27 = t26 + (t24 + t25);
+    const prt__vec t28 = PRT__R(3.87298334620741688518) * prt__vec_load(f + 5 * stride);
+    const prt__vec t29 = prt__vec_load(f + 19 * stride);
+    const prt__vec t30 = t28 - PRT__R(7.115124735378853497) * t29;
+    const prt__vec t31 = prt__vec_load(f + 17 * stride);
+    const prt__vec t32 = t30 + PRT__R(18.8248505970166998295) * t31;
+    const prt__vec t33 = t30 - PRT__R(6.27495019900556660984) * t31;
+    const prt__vec t34 = t28 + PRT__R(9.486832980505137996) * t29;
+    const prt__vec t35 = t34 + (t32 + t33);
+    const prt__vec t36 = PRT__R(3.60555127546398929312) * prt__vec_load(f + stride);
+    const prt__vec t37 = prt__vec_load(f + 11 * stride);
+    const prt__vec t38 = t36 - PRT__R(3.37268439080801036639) * t37;
+    const prt__vec t39 = prt__vec_load(f + 9 * stride);
+    const prt__vec t40 = t38 - PRT__R(4.35411682587104377448) * t39;
+    const prt__vec t41 = t36 + PRT__R(13.4907375632320414656) * t37;
+    const prt__vec t42 = t38 + PRT__R(13.0623504776131313234) * t39;
+    const prt__vec t43 = t41 + (t42 + t40);
+    const prt__vec t44 = PRT__R(3.87298334620741688518) * prt__vec_load(f + 7 * stride);
+    const prt__vec t45 = prt__vec_load(f + 21 * stride);
+    const prt__vec t46 = t44 - PRT__R(7.115124735378853497) * t45;
+    const prt__vec t47 = prt__vec_load(f + 23 * stride);
+    const prt__vec t48 = t46 - PRT__R(18.8248505970166998295) * t47;
+    const prt__vec t49 = t44 + PRT__R(9.486832980505137996) * t45;
+    const prt__vec t50 = t46 + PRT__R(6.27495019900556660984) * t47;
+    const prt__vec t51 = t49 + (t50 + t48);
+    const prt__vec t52 = PRT__R(3.60555127546398929312) * prt__vec_load(f + 2 * stride);
+    const prt__vec t53 = prt__vec_load(f + 12 * stride);
+    const prt__vec t54 = t52 + PRT__R(5.50757054728610202061) * t53;
+    const prt__vec t55 = t52 - PRT__R(8.26135582092915303091) * t53;
+    const prt__vec t56 = PRT__R(10.6653645038507708754) * prt__vec_load(f + 14 * stride);
+    const prt__vec t57 = t55 + t56;
+    const prt__vec t58 = t55 - t56;
+    const prt__vec t59 = t54 + (t57 + t58);
+    const prt__vec t60 = PRT__R(3.87298334620741688518) * prt__vec_load(f + 4 * stride);
+    const prt__vec t61 = prt__vec_load(f + 18 * stride);
+    const prt__vec t62 = t60 + PRT__R(20.1246117974981072677) * t61;
+    const prt__vec t63 = t60 - PRT__R(3.35410196624968454461) * t61;
+    const prt__vec t64 = PRT__R(8.87411967464942406385) * prt__vec_load(f + 16 * stride);
+    const prt__vec t65 = t63 + t64;
+    const prt__vec t66 = t63 - t64;
+    const prt__vec t67 = t62 + (t65 + t66);
+    parts[0] = t11;
+    parts[1] = t17;
+    parts[2] = t24;
+    parts[3] = t25;
+    parts[4] = t26;
+    parts[5] = t32;
+    parts[6] = t33;
+    parts[7] = t34;
+    const prt__vec t68 = PRT__R(21.3307290077015417509) * prt__vec_load(f + 10 * stride);
+    parts[8] = t68;
+    parts[9] = t27;
+    parts[10] = t35;
+    parts[11] = t19;
+    parts[12] = t12;
+    parts[13] = t16;
+    parts[14] = t40;
+    parts[15] = t41;
+    parts[16] = t42;
+    parts[17] = t48;
+    parts[18] = t49;
+    parts[19] = t50;
+    parts[20] = t68;
+    parts[21] = t43;
+    parts[22] = t51;
+    parts[24] = t18;
+    parts[25] = t13;
+    parts[26] = t54;
+    parts[27] = t57;
+    parts[28] = t58;
+    parts[29] = t62;
+    parts[30] = t65;
+    parts[31] = t66;
+    parts[32] = t68;
+    parts[33] = t59;
+    parts[34] = t67;
+}
+
+/* coefficients of sums over points, 5 bands: 34 multiplications, 40 additions (17 can fuse), 27 loads, 25 stores */
+PRT__INLINE void prt__point_coefficients_5_v(const prt__vec *sums, prt_real *out, size_t stride) {
+    const prt__vec t1 = sums[18];
+    const prt__vec t2 = sums[0];
+    const prt__vec t3 = sums[9];
+    const prt__vec t4 = t2 + t3;
+    const prt__vec t5 = sums[19];
+    const prt__vec t6 = t4 + PRT__R(2.0) * t5;
+    const prt__vec t7 = sums[1];
+    const prt__vec t8 = sums[10];
+    const prt__vec t9 = t7 + t8;
+    prt__vec_store(out, t1 + (t6 + PRT__R(2.0) * t9));
+    const prt__vec t10 = sums[12];
+    const prt__vec t11 = sums[11];
+    const prt__vec t12 = sums[13];
+    const prt__vec t13 = t11 + t12;
+    prt__vec_store(out + stride, t10 + t13);
+    const prt__vec t14 = sums[20];
+    const prt__vec t15 = sums[21];
+    const prt__vec t16 = sums[22];
+    const prt__vec t17 = t15 + t16;
+    prt__vec_store(out + 2 * stride, t14 + t17);
+    const prt__vec t18 = sums[4];
+    const prt__vec t19 = sums[2];
+    const prt__vec t20 = sums[3];
+    const prt__vec t21 = t19 + t20;
+    prt__vec_store(out + 3 * stride, t18 + t21);
+    const prt__vec t22 = sums[23];
+    const prt__vec t23 = sums[24];
+    const prt__vec t24 = sums[25];
+    const prt__vec t25 = t23 + t24;
+    prt__vec_store(out + 4 * stride, t22 + t25);
+    const prt__vec t26 = sums[7];
+    const prt__vec t27 = sums[5];
+    const prt__vec t28 = sums[6];
+    const prt__vec t29 = t27 + t28;
+    prt__vec_store(out + 5 * stride, t26 + t29);
+    prt__vec_store(out + 6 * stride, PRT__R(1.1180339887498948482) * (PRT__R(2.0) * t1 + (t9 - t6)));
+    const prt__vec t30 = sums[15];
+    const prt__vec t31 = sums[14];
+    const prt__vec t32 = sums[16];
+    const prt__vec t33 = t31 + t32;
+    prt__vec_store(out + 7 * stride, t30 + t33);
+    const prt__vec t34 = t2 - t3;
+    const prt__vec t35 = t8 - t7;
+    prt__vec_store(out + 8 * stride, PRT__R(1.93649167310370844259) * (t34 + t35));
+    prt__vec_store(out + 9 * stride, PRT__R(3.62284418654735964343) * t12 - PRT__R(1.20761472884911988114) * t11);
+    prt__vec_store(out + 10 * stride, sums[26] + (sums[8] + sums[17]));
+    prt__vec_store(out + 11 * stride, PRT__R(3.74165738677394138558) * t10 - PRT__R(0.935414346693485346396) * t13);
+    prt__vec_store(out + 12 * stride, PRT__R(1.52752523165194666886) * t14 - PRT__R(2.29128784747792000329) * t17);
+    prt__vec_store(out + 13 * stride, PRT__R(3.74165738677394138558) * t18 - PRT__R(0.935414346693485346396) * t21);
+    prt__vec_store(out + 14 * stride, PRT__R(2.95803989154980802128) * (t15 - t16));
+    prt__vec_store(out + 15 * stride, PRT__R(1.20761472884911988114) * t19 - PRT__R(3.62284418654735964343) * t20);
+    prt__vec_store(out + 16 * stride, PRT__R(2.29128784747792000329) * (t23 - t24));
+    prt__vec_store(out + 17 * stride, PRT__R(4.86055552380589517322) * t27 - PRT__R(1.62018517460196505774) * t28);
+    prt__vec_store(out + 18 * stride, PRT__R(5.19615242270663188058) * t22 - PRT__R(0.866025403784438646764) * t25);
+    prt__vec_store(out + 19 * stride, PRT__R(2.4494897427831780982) * t26 - PRT__R(1.83711730708738357365) * t29);
+    prt__vec_store(out + 20 * stride, PRT__R(3.0) * t1 + (PRT__R(1.125) * t6 - PRT__R(9.0) * t9));
+    prt__vec_store(out + 21 * stride, PRT__R(2.4494897427831780982) * t30 - PRT__R(1.83711730708738357365) * t33);
+    prt__vec_store(out + 22 * stride, PRT__R(10.0623058987490536338) * t35 - PRT__R(1.67705098312484227231) * t34);
+    prt__vec_store(out + 23 * stride, PRT__R(1.62018517460196505774) * t32 - PRT__R(4.86055552380589517322) * t31);
+    prt__vec_store(out + 24 * stride, PRT__R(2.21852991866235601596) * t4 - PRT__R(13.3111795119741360958) * t5);
+}
+
+/* END GENERATED */
+
+/* BEGIN GENERATED: prt_codegen --lang c --emit point_corners,point_octants,point_plane --bands 5 */
+/* sums over the corners of a cube, 5 bands: 24 multiplications, 72 additions (0 can fuse), 16 loads, 27 stores */
+PRT__INLINE void prt__point_corners_5_v(const prt__vec *f, const prt__vec *g, prt__vec *PRT__RESTRICT sums) {
+    const prt__vec t1 = f[10];
+    const prt__vec t2 = f[11];
+    const prt__vec t3 = t1 + t2;
+    const prt__vec t4 = t2 - t1;
+    const prt__vec t5 = f[8];
+    const prt__vec t6 = f[9];
+    const prt__vec t7 = t5 + t6;
+    const prt__vec t8 = t6 - t5;
+    const prt__vec t9 = g[10];
+    const prt__vec t10 = g[11];
+    const prt__vec t11 = t9 + t10;
+    const prt__vec t12 = t10 - t9;
+    const prt__vec t13 = g[8];
+    const prt__vec t14 = g[9];
+    const prt__vec t15 = t13 + t14;
+    const prt__vec t16 = t14 - t13;
+    const prt__vec t17 = f[22];
+    const prt__vec t18 = f[34];
+    const prt__vec t19 = t17 + t18;
+    const prt__vec t20 = t3 + t19;
+    const prt__vec t21 = t3 - t19;
+    const prt__vec t22 = f[21];
+    const prt__vec t23 = f[33];
+    const prt__vec t24 = t22 + t23;
+    const prt__vec t25 = t7 + t24;
+    const prt__vec t26 = t24 - t7;
+    const prt__vec t27 = g[22];
+    const prt__vec t28 = g[34];
+    const prt__vec t29 = t27 + t28;
+    const prt__vec t30 = t11 + t29;
+    const prt__vec t31 = t11 - t29;
+    const prt__vec t32 = g[21];
+    const prt__vec t33 = g[33];
+    const prt__vec t34 = t32 + t33;
+    const prt__vec t35 = t15 + t34;
+    const prt__vec t36 = t34 - t15;
+    const prt__vec t37 = PRT__R(0.832050294337843683028) * t35;
+    const prt__vec t38 = PRT__R(0.832050294337843683028) * t25;
+    const prt__vec t39 = (t30 + t37) * (t20 + t38);
+    const prt__vec t40 = (t30 - t37) * (t20 - t38);
+    const prt__vec t41 = t39 + t40;
+    const prt__vec t42 = t39 - t40;
+    const prt__vec t43 = PRT__R(0.832050294337843683028) * t36;
+    const prt__vec t44 = PRT__R(0.832050294337843683028) * t26;
+    const prt__vec t45 = (t31 + t43) * (t21 + t44);
+    const prt__vec t46 = (t31 - t43) * (t21 - t44);
+    const prt__vec t47 = t45 + t46;
+    const prt__vec t48 = t45 - t46;
+    const prt__vec t49 = t17 - t18;
+    const prt__vec t50 = t4 + t49;
+    const prt__vec t51 = t4 - t49;
+    const prt__vec t52 = t22 - t23;
+    const prt__vec t53 = t8 + t52;
+    const prt__vec t54 = t52 - t8;
+    const prt__vec t55 = t27 - t28;
+    const prt__vec t56 = t12 + t55;
+    const prt__vec t57 = t12 - t55;
+    const prt__vec t58 = t32 - t33;
+    const prt__vec t59 = t16 + t58;
+    const prt__vec t60 = t58 - t16;
+    const prt__vec t61 = PRT__R(0.832050294337843683028) * t60;
+    const prt__vec t62 = PRT__R(0.832050294337843683028) * t54;
+    const prt__vec t63 = (t56 + t61) * (t50 + t62);
+    const prt__vec t64 = (t56 - t61) * (t50 - t62);
+    const prt__vec t65 = t63 + t64;
+    const prt__vec t66 = t63 - t64;
+    const prt__vec t67 = PRT__R(0.832050294337843683028) * t59;
+    const prt__vec t68 = PRT__R(0.832050294337843683028) * t53;
+    const prt__vec t69 = (t57 + t67) * (t51 + t68);
+    const prt__vec t70 = (t57 - t67) * (t51 - t68);
+    const prt__vec t71 = t69 + t70;
+    const prt__vec t72 = t69 - t70;
+    const prt__vec t73 = t65 + t71;
+    const prt__vec t74 = t41 + t47;
+    const prt__vec t75 = t73 + t74;
+    const prt__vec t76 = t74 - t73;
+    const prt__vec t77 = t65 - t71;
+    const prt__vec t78 = t41 - t47;
+    const prt__vec t79 = t77 + t78;
+    const prt__vec t80 = t78 - t77;
+    const prt__vec t81 = t66 + t72;
+    const prt__vec t82 = t42 + t48;
+    const prt__vec t83 = t81 + t82;
+    const prt__vec t84 = t82 - t81;
+    const prt__vec t85 = t72 - t66;
+    const prt__vec t86 = t42 - t48;
+    const prt__vec t87 = t85 + t86;
+    const prt__vec t88 = t86 - t85;
+    const prt__vec t89 = PRT__R(-0.0000114486522635502493293) * t75;
+    sums[0] = t89;
+    sums[1] = t89;
+    const prt__vec t90 = PRT__R(-0.0000343459567906507479879) * t87;
+    sums[2] = t90;
+    sums[3] = t90;
+    sums[4] = t90;
+    const prt__vec t91 = PRT__R(-0.0000443404395532499622785) * t76;
+    sums[5] = t91;
+    sums[6] = t91;
+    sums[7] = t91;
+    const prt__vec t92 = PRT__R(-0.0000677311402001272872929) * t88;
+    sums[8] = t92;
+    sums[9] = t89;
+    sums[10] = t89;
+    const prt__vec t93 = PRT__R(-0.0000343459567906507479879) * t83;
+    sums[11] = t93;
+    sums[12] = t93;
+    sums[13] = t93;
+    const prt__vec t94 = PRT__R(-0.0000443404395532499622785) * t79;
+    sums[14] = t94;
+    sums[15] = t94;
+    sums[16] = t94;
+    sums[17] = t92;
+    sums[18] = t89;
+    sums[19] = t89;
+    const prt__vec t95 = PRT__R(-0.0000343459567906507479879) * t84;
+    sums[20] = t95;
+    sums[21] = t95;
+    sums[22] = t95;
+    const prt__vec t96 = PRT__R(-0.0000443404395532499622785) * t80;
+    sums[23] = t96;
+    sums[24] = t96;
+    sums[25] = t96;
+    sums[26] = t92;
+}
+
+/* sums over the points of an axis, 5 bands: 48 multiplications, 131 additions (24 can fuse), 50 loads, 25 stores */
+PRT__INLINE void prt__point_octants_5_v(const prt__vec *fn, const prt__vec *fi, const prt__vec *fj, 
+    const prt__vec *gn, const prt__vec *gi, const prt__vec *gj, prt__vec *PRT__RESTRICT sn, prt__vec *PRT__RESTRICT si, 
+    prt__vec *PRT__RESTRICT sj) {
+    const prt__vec t1 = (fn[1] + (fi[0] + fj[0])) + PRT__R(2.33333333333333333333) * (fi[1] + fj[1]);
+    const prt__vec t2 = t1 + PRT__R(5.44444444444444444444) * fn[0];
+    const prt__vec t3 = (fn[6] + fn[7]) + PRT__R(2.33333333333333333333) * fn[5];
+    const prt__vec t4 = (fn[3] + fn[4]) + PRT__R(2.33333333333333333333) * fn[2];
+    const prt__vec t5 = (fi[5] + fi[6]) + PRT__R(2.33333333333333333333) * fi[7];
+    const prt__vec t6 = (fi[2] + fi[3]) + PRT__R(2.33333333333333333333) * fi[4];
+    const prt__vec t7 = (fj[5] + fj[7]) + PRT__R(2.33333333333333333333) * fj[6];
+    const prt__vec t8 = (fj[2] + fj[4]) + PRT__R(2.33333333333333333333) * fj[3];
+    const prt__vec t9 = (gn[1] + (gi[0] + gj[0])) + PRT__R(2.33333333333333333333) * (gi[1] + gj[1]);
+    const prt__vec t10 = t9 + PRT__R(5.44444444444444444444) * gn[0];
+    const prt__vec t11 = (gn[6] + gn[7]) + PRT__R(2.33333333333333333333) * gn[5];
+    const prt__vec t12 = (gn[3] + gn[4]) + PRT__R(2.33333333333333333333) * gn[2];
+    const prt__vec t13 = (gi[5] + gi[6]) + PRT__R(2.33333333333333333333) * gi[7];
+    const prt__vec t14 = (gi[2] + gi[3]) + PRT__R(2.33333333333333333333) * gi[4];
+    const prt__vec t15 = (gj[5] + gj[7]) + PRT__R(2.33333333333333333333) * gj[6];
+    const prt__vec t16 = (gj[2] + gj[4]) + PRT__R(2.33333333333333333333) * gj[3];
+    const prt__vec t17 = t2 + t3;
+    const prt__vec t18 = t2 - t3;
+    const prt__vec t19 = fn[8];
+    const prt__vec t20 = t19 + t4;
+    const prt__vec t21 = t4 - t19;
+    const prt__vec t22 = t10 + t11;
+    const prt__vec t23 = t10 - t11;
+    const prt__vec t24 = gn[8];
+    const prt__vec t25 = t24 + t12;
+    const prt__vec t26 = t12 - t24;
+    const prt__vec t27 = PRT__R(1.52752523165194666886) * (t5 + t7);
+    const prt__vec t28 = t17 + t27;
+    const prt__vec t29 = t17 - t27;
+    const prt__vec t30 = t6 + t8;
+    const prt__vec t31 = PRT__R(1.52752523165194666886) * t20;
+    const prt__vec t32 = t30 + t31;
+    const prt__vec t33 = t30 - t31;
+    const prt__vec t34 = PRT__R(1.52752523165194666886) * (t13 + t15);
+    const prt__vec t35 = t22 + t34;
+    const prt__vec t36 = t22 - t34;
+    const prt__vec t37 = t14 + t16;
+    const prt__vec t38 = PRT__R(1.52752523165194666886) * t25;
+    const prt__vec t39 = t37 + t38;
+    const prt__vec t40 = t37 - t38;
+    const prt__vec t41 = (t35 + t39) * (t28 + t32);
+    const prt__vec t42 = (t35 - t39) * (t28 - t32);
+    const prt__vec t43 = t41 + t42;
+    const prt__vec t44 = t41 - t42;
+    const prt__vec t45 = (t36 + t40) * (t29 + t33);
+    const prt__vec t46 = (t36 - t40) * (t29 - t33);
+    const prt__vec t47 = t45 + t46;
+    const prt__vec t48 = t45 - t46;
+    const prt__vec t49 = PRT__R(1.52752523165194666886) * (t5 - t7);
+    const prt__vec t50 = t18 + t49;
+    const prt__vec t51 = t18 - t49;
+    const prt__vec t52 = t6 - t8;
+    const prt__vec t53 = PRT__R(1.52752523165194666886) * t21;
+    const prt__vec t54 = t52 + t53;
+    const prt__vec t55 = t52 - t53;
+    const prt__vec t56 = PRT__R(1.52752523165194666886) * (t13 - t15);
+    const prt__vec t57 = t23 + t56;
+    const prt__vec t58 = t23 - t56;
+    const prt__vec t59 = t14 - t16;
+    const prt__vec t60 = PRT__R(1.52752523165194666886) * t26;
+    const prt__vec t61 = t59 + t60;
+    const prt__vec t62 = t59 - t60;
+    const prt__vec t63 = (t57 + t62) * (t50 + t55);
+    const prt__vec t64 = (t57 - t62) * (t50 - t55);
+    const prt__vec t65 = t63 + t64;
+    const prt__vec t66 = t63 - t64;
+    const prt__vec t67 = (t58 + t61) * (t51 + t54);
+    const prt__vec t68 = (t58 - t61) * (t51 - t54);
+    const prt__vec t69 = t67 + t68;
+    const prt__vec t70 = t67 - t68;
+    const prt__vec t71 = t65 + t69;
+    const prt__vec t72 = t43 + t47;
+    const prt__vec t73 = t71 + t72;
+    const prt__vec t74 = t72 - t71;
+    const prt__vec t75 = t65 - t69;
+    const prt__vec t76 = t43 - t47;
+    const prt__vec t77 = t75 + t76;
+    const prt__vec t78 = t76 - t75;
+    const prt__vec t79 = t66 + t70;
+    const prt__vec t80 = t44 + t48;
+    const prt__vec t81 = t79 + t80;
+    const prt__vec t82 = t80 - t79;
+    const prt__vec t83 = t70 - t66;
+    const prt__vec t84 = t44 - t48;
+    const prt__vec t85 = t83 + t84;
+    const prt__vec t86 = t84 - t83;
+    sn[0] = sn[0] + PRT__R(6.16465891114244194655e-6) * t73;
+    const prt__vec t87 = PRT__R(1.13228428980167301059e-6) * t73;
+    sn[1] = sn[1] + t87;
+    sn[2] = sn[2] + PRT__R(0.0000145509830798883963246) * t85;
+    const prt__vec t88 = PRT__R(6.23613560566645556767e-6) * t85;
+    sn[3] = sn[3] + t88;
+    sn[4] = sn[4] + t88;
+    sn[5] = sn[5] + PRT__R(0.0000102324091276730682181) * t74;
+    const prt__vec t89 = PRT__R(4.38531819757417209348e-6) * t74;
+    sn[6] = sn[6] + t89;
+    sn[7] = sn[7] + t89;
+    sn[8] = sn[8] + PRT__R(0.0000368934757813509971751) * t86;
+    si[0] = si[0] + t87;
+    const prt__vec t90 = PRT__R(2.64199667620390369138e-6) * t73;
+    si[1] = si[1] + t90;
+    const prt__vec t91 = PRT__R(4.0825090652822594077e-6) * t81;
+    si[2] = si[2] + t91;
+    si[3] = si[3] + t91;
+    si[4] = si[4] + PRT__R(9.52585448565860528464e-6) * t81;
+    const prt__vec t92 = PRT__R(6.69868419561698445754e-6) * t77;
+    si[5] = si[5] + t92;
+    si[6] = si[6] + t92;
+    si[7] = si[7] + PRT__R(0.0000156302631231062970676) * t77;
+    sj[0] = sj[0] + t87;
+    sj[1] = sj[1] + t90;
+    const prt__vec t93 = PRT__R(4.0825090652822594077e-6) * t82;
+    sj[2] = sj[2] + t93;
+    sj[3] = sj[3] + PRT__R(9.52585448565860528464e-6) * t82;
+    sj[4] = sj[4] + t93;
+    const prt__vec t94 = PRT__R(6.69868419561698445754e-6) * t78;
+    sj[5] = sj[5] + t94;
+    sj[6] = sj[6] + PRT__R(0.0000156302631231062970676) * t78;
+    sj[7] = sj[7] + t94;
+}
+
+/* sums over the points of a plane, 5 bands: 78 multiplications, 137 additions (36 can fuse), 22 loads, 11 stores */
+PRT__INLINE void prt__point_plane_5_v(const prt__vec *fn, const prt__vec *fi, const prt__vec *fj, 
+    const prt__vec *gn, const prt__vec *gi, const prt__vec *gj, prt__vec *PRT__RESTRICT sn, prt__vec *PRT__RESTRICT si, 
+    prt__vec *PRT__RESTRICT sj) {
+    const prt__vec t1 = fi[0];
+    const prt__vec t2 = fn[1];
+    const prt__vec t3 = PRT__R(0.114696833619897794375) * t2;
+    const prt__vec t4 = fj[0];
+    const prt__vec t5 = (t1 + t3) + PRT__R(0.0131553636424305169813) * t4;
+    const prt__vec t6 = fn[6];
+    const prt__vec t7 = fn[7];
+    const prt__vec t8 = t6 + PRT__R(0.114696833619897794375) * t7;
+    const prt__vec t9 = fi[2];
+    const prt__vec t10 = fi[3];
+    const prt__vec t11 = t9 + PRT__R(0.114696833619897794375) * t10;
+    const prt__vec t12 = fj[4];
+    const prt__vec t13 = fj[2];
+    const prt__vec t14 = t12 + PRT__R(0.114696833619897794375) * t13;
+    const prt__vec t15 = gi[0];
+    const prt__vec t16 = gn[1];
+    const prt__vec t17 = PRT__R(0.114696833619897794375) * t16;
+    const prt__vec t18 = gj[0];
+    const prt__vec t19 = (t15 + t17) + PRT__R(0.0131553636424305169813) * t18;
+    const prt__vec t20 = gn[6];
+    const prt__vec t21 = gn[7];
+    const prt__vec t22 = t20 + PRT__R(0.114696833619897794375) * t21;
+    const prt__vec t23 = gi[2];
+    const prt__vec t24 = gi[3];
+    const prt__vec t25 = t23 + PRT__R(0.114696833619897794375) * t24;
+    const prt__vec t26 = gj[4];
+    const prt__vec t27 = gj[2];
+    const prt__vec t28 = t26 + PRT__R(0.114696833619897794375) * t27;
+    const prt__vec t29 = PRT__R(0.338669209731114756938) * t8;
+    const prt__vec t30 = t5 + t29;
+    const prt__vec t31 = t5 - t29;
+    const prt__vec t32 = PRT__R(0.338669209731114756938) * t22;
+    const prt__vec t33 = t19 + t32;
+    const prt__vec t34 = t19 - t32;
+    const prt__vec t35 = PRT__R(0.338669209731114756938) * t14;
+    const prt__vec t36 = t11 + t35;
+    const prt__vec t37 = t11 - t35;
+    const prt__vec t38 = PRT__R(0.338669209731114756938) * t28;
+    const prt__vec t39 = t25 + t38;
+    const prt__vec t40 = t25 - t38;
+    const prt__vec t41 = PRT__R(0.507186090932471283471) * t36;
+    const prt__vec t42 = PRT__R(0.507186090932471283471) * t39;
+    const prt__vec t43 = (t30 + t41) * (t33 + t42);
+    const prt__vec t44 = (t30 - t41) * (t33 - t42);
+    const prt__vec t45 = t43 + t44;
+    const prt__vec t46 = t43 - t44;
+    const prt__vec t47 = PRT__R(0.507186090932471283471) * t37;
+    const prt__vec t48 = PRT__R(0.507186090932471283471) * t40;
+    const prt__vec t49 = (t31 + t47) * (t34 + t48);
+    const prt__vec t50 = (t31 - t47) * (t34 - t48);
+    const prt__vec t51 = t49 + t50;
+    const prt__vec t52 = t49 - t50;
+    const prt__vec t53 = t45 + t51;
+    const prt__vec t54 = t45 - t51;
+    const prt__vec t55 = t46 + t52;
+    const prt__vec t56 = t46 - t52;
+    const prt__vec t57 = (t4 + t3) + PRT__R(0.0131553636424305169813) * t1;
+    const prt__vec t58 = t7 + PRT__R(0.114696833619897794375) * t6;
+    const prt__vec t59 = t13 + PRT__R(0.114696833619897794375) * t12;
+    const prt__vec t60 = t10 + PRT__R(0.114696833619897794375) * t9;
+    const prt__vec t61 = (t18 + t17) + PRT__R(0.0131553636424305169813) * t15;
+    const prt__vec t62 = t21 + PRT__R(0.114696833619897794375) * t20;
+    const prt__vec t63 = t27 + PRT__R(0.114696833619897794375) * t26;
+    const prt__vec t64 = t24 + PRT__R(0.114696833619897794375) * t23;
+    const prt__vec t65 = PRT__R(0.338669209731114756938) * t58;
+    const prt__vec t66 = t57 + t65;
+    const prt__vec t67 = t57 - t65;
+    const prt__vec t68 = PRT__R(0.338669209731114756938) * t62;
+    const prt__vec t69 = t61 + t68;
+    const prt__vec t70 = t61 - t68;
+    const prt__vec t71 = PRT__R(0.338669209731114756938) * t60;
+    const prt__vec t72 = t59 + t71;
+    const prt__vec t73 = t59 - t71;
+    const prt__vec t74 = PRT__R(0.338669209731114756938) * t64;
+    const prt__vec t75 = t63 + t74;
+    const prt__vec t76 = t63 - t74;
+    const prt__vec t77 = PRT__R(0.507186090932471283471) * t72;
+    const prt__vec t78 = PRT__R(0.507186090932471283471) * t75;
+    const prt__vec t79 = (t66 + t77) * (t69 + t78);
+    const prt__vec t80 = (t66 - t77) * (t69 - t78);
+    const prt__vec t81 = t79 + t80;
+    const prt__vec t82 = t79 - t80;
+    const prt__vec t83 = PRT__R(0.507186090932471283471) * t73;
+    const prt__vec t84 = PRT__R(0.507186090932471283471) * t76;
+    const prt__vec t85 = (t67 + t83) * (t70 + t84);
+    const prt__vec t86 = (t67 - t83) * (t70 - t84);
+    const prt__vec t87 = t85 + t86;
+    const prt__vec t88 = t85 - t86;
+    const prt__vec t89 = t81 + t87;
+    const prt__vec t90 = t81 - t87;
+    const prt__vec t91 = t82 + t88;
+    const prt__vec t92 = t82 - t88;
+    const prt__vec t93 = t4 + (t2 + t1);
+    const prt__vec t94 = t6 + t7;
+    const prt__vec t95 = t9 + t10;
+    const prt__vec t96 = t13 + t12;
+    const prt__vec t97 = t18 + (t16 + t15);
+    const prt__vec t98 = t20 + t21;
+    const prt__vec t99 = t23 + t24;
+    const prt__vec t100 = t27 + t26;
+    const prt__vec t101 = t93 + t94;
+    const prt__vec t102 = t93 - t94;
+    const prt__vec t103 = t97 + t98;
+    const prt__vec t104 = t97 - t98;
+    const prt__vec t105 = t95 + t96;
+    const prt__vec t106 = t95 - t96;
+    const prt__vec t107 = t99 + t100;
+    const prt__vec t108 = t99 - t100;
+    const prt__vec t109 = PRT__R(0.679366220486757450366) * t105;
+    const prt__vec t110 = PRT__R(0.679366220486757450366) * t107;
+    const prt__vec t111 = (t101 + t109) * (t103 + t110);
+    const prt__vec t112 = (t101 - t109) * (t103 - t110);
+    const prt__vec t113 = t111 + t112;
+    const prt__vec t114 = t111 - t112;
+    const prt__vec t115 = PRT__R(0.679366220486757450366) * t106;
+    const prt__vec t116 = PRT__R(0.679366220486757450366) * t108;
+    const prt__vec t117 = (t102 + t115) * (t104 + t116);
+    const prt__vec t118 = (t102 - t115) * (t104 - t116);
+    const prt__vec t119 = t117 + t118;
+    const prt__vec t120 = t117 - t118;
+    const prt__vec t121 = t113 + t119;
+    const prt__vec t122 = t113 - t119;
+    const prt__vec t123 = t114 + t120;
+    const prt__vec t124 = t114 - t120;
+    const prt__vec t125 = fn[0];
+    const prt__vec t126 = PRT__R(0.48038446141526140045) * fn[2];
+    const prt__vec t127 = t125 + t126;
+    const prt__vec t128 = t125 - t126;
+    const prt__vec t129 = gn[0];
+    const prt__vec t130 = PRT__R(0.48038446141526140045) * gn[2];
+    const prt__vec t131 = t129 + t130;
+    const prt__vec t132 = t129 - t130;
+    const prt__vec t133 = t128 * t132;
+    const prt__vec t134 = t127 * t131;
+    const prt__vec t135 = t133 + t134;
+    const prt__vec t136 = t134 - t133;
+    sn[0] = sn[0] + PRT__R(0.000144733579233030312509) * t135;
+    const prt__vec t137 = (sn[1] + PRT__R(0.000278658955115589855374) * t53) + PRT__R(0.000278658955115589855374) * t89;
+    const prt__vec t138 = PRT__R(0.0000731862741679216867694) * t121;
+    sn[1] = t137 + t138;
+    sn[2] = sn[2] + PRT__R(0.000250685912792904240673) * t136;
+    const prt__vec t139 = (sn[6] + PRT__R(0.00318671276107768882402) * t54) + PRT__R(0.000365505863351732786974) * t90;
+    const prt__vec t140 = PRT__R(0.000283449221023330769316) * t122;
+    sn[6] = t139 + t140;
+    const prt__vec t141 = (sn[7] + PRT__R(0.000365505863351732786974) * t54) + PRT__R(0.00318671276107768882402) * t90;
+    sn[7] = t141 + t140;
+    const prt__vec t142 = (si[0] + PRT__R(0.0024295261370427896788) * t53) + PRT__R(0.0000319612998115873769973) * t89;
+    si[0] = t142 + t138;
+    const prt__vec t143 = (si[2] + PRT__R(0.00444283911435528549415) * t55) + PRT__R(0.000172578913213166451627) * t92;
+    const prt__vec t144 = PRT__R(0.000179269027886841644218) * t123;
+    si[2] = t143 + t144;
+    const prt__vec t145 = (si[3] + PRT__R(0.000509579578699182250743) * t55) + PRT__R(0.00150465281182119032248) * t92;
+    si[3] = t145 + t144;
+    const prt__vec t146 = (sj[0] + PRT__R(0.0000319612998115873769973) * t53) + PRT__R(0.0024295261370427896788) * t89;
+    sj[0] = t146 + t138;
+    const prt__vec t147 = (sj[2] + PRT__R(0.000172578913213166451627) * t56) + PRT__R(0.00444283911435528549415) * t91;
+    const prt__vec t148 = PRT__R(0.000179269027886841644218) * t124;
+    sj[2] = t147 + t148;
+    const prt__vec t149 = (sj[4] + PRT__R(0.00150465281182119032248) * t56) + PRT__R(0.000509579578699182250743) * t91;
+    sj[4] = t149 + t148;
 }
 
 /* END GENERATED */
@@ -16950,6 +17575,73 @@ PRT__STATIC const prt_real *prt__nodes_6(void) {
 #undef PRT__EVEN_4
 #undef PRT__ODD_4
 
+/* BEGIN GENERATED: prt_codegen --lang c --emit sh_rows_block --bands 6 */
+/* rows of a function at z and -z, 6 bands: 36 multiplications, 34 additions (16 can fuse), 57 loads, 22 stores */
+PRT__INLINE void prt__sh_rows_6_v(const prt__vec *f, const prt_real *q, prt__vec *PRT__RESTRICT plus, 
+    prt__vec *PRT__RESTRICT minus) {
+    const prt__vec t1 = f[0] * prt__vec_load(q) + f[6] * prt__vec_load(q + 3 * PRT__NODES);
+    const prt__vec t2 = t1 + f[20] * prt__vec_load(q + 10 * PRT__NODES);
+    const prt__vec t3 = f[2] * prt__vec_load(q + 1 * PRT__NODES) + f[12] * prt__vec_load(q + 6 * PRT__NODES);
+    const prt__vec t4 = t3 + f[30] * prt__vec_load(q + 15 * PRT__NODES);
+    plus[0] = t2 + t4;
+    minus[0] = t2 - t4;
+    const prt__vec t5 = prt__vec_load(q + 4 * PRT__NODES);
+    const prt__vec t6 = prt__vec_load(q + 11 * PRT__NODES);
+    const prt__vec t7 = f[7] * t5 + f[21] * t6;
+    const prt__vec t8 = prt__vec_load(q + 2 * PRT__NODES);
+    const prt__vec t9 = prt__vec_load(q + 7 * PRT__NODES);
+    const prt__vec t10 = prt__vec_load(q + 16 * PRT__NODES);
+    const prt__vec t11 = (f[3] * t8 + f[13] * t9) + f[31] * t10;
+    plus[2] = t7 + t11;
+    minus[2] = t11 - t7;
+    const prt__vec t12 = f[5] * t5 + f[19] * t6;
+    const prt__vec t13 = (f[1] * t8 + f[11] * t9) + f[29] * t10;
+    plus[3] = t12 + t13;
+    minus[3] = t13 - t12;
+    const prt__vec t14 = prt__vec_load(q + 5 * PRT__NODES);
+    const prt__vec t15 = prt__vec_load(q + 12 * PRT__NODES);
+    const prt__vec t16 = f[8] * t14 + f[22] * t15;
+    const prt__vec t17 = prt__vec_load(q + 8 * PRT__NODES);
+    const prt__vec t18 = prt__vec_load(q + 17 * PRT__NODES);
+    const prt__vec t19 = f[14] * t17 + f[32] * t18;
+    plus[4] = t16 + t19;
+    minus[4] = t16 - t19;
+    const prt__vec t20 = f[4] * t14 + f[18] * t15;
+    const prt__vec t21 = f[10] * t17 + f[28] * t18;
+    plus[5] = t20 + t21;
+    minus[5] = t20 - t21;
+    const prt__vec t22 = prt__vec_load(q + 13 * PRT__NODES);
+    const prt__vec t23 = f[23] * t22;
+    const prt__vec t24 = prt__vec_load(q + 9 * PRT__NODES);
+    const prt__vec t25 = prt__vec_load(q + 18 * PRT__NODES);
+    const prt__vec t26 = f[15] * t24 + f[33] * t25;
+    plus[6] = t23 + t26;
+    minus[6] = t26 - t23;
+    const prt__vec t27 = f[17] * t22;
+    const prt__vec t28 = f[9] * t24 + f[27] * t25;
+    plus[7] = t27 + t28;
+    minus[7] = t28 - t27;
+    const prt__vec t29 = prt__vec_load(q + 14 * PRT__NODES);
+    const prt__vec t30 = f[24] * t29;
+    const prt__vec t31 = prt__vec_load(q + 19 * PRT__NODES);
+    const prt__vec t32 = f[34] * t31;
+    plus[8] = t30 + t32;
+    minus[8] = t30 - t32;
+    const prt__vec t33 = f[16] * t29;
+    const prt__vec t34 = f[26] * t31;
+    plus[9] = t33 + t34;
+    minus[9] = t33 - t34;
+    const prt__vec t35 = prt__vec_load(q + 20 * PRT__NODES);
+    const prt__vec t36 = f[35] * t35;
+    plus[10] = t36;
+    minus[10] = t36;
+    const prt__vec t37 = f[25] * t35;
+    plus[11] = t37;
+    minus[11] = t37;
+}
+
+/* END GENERATED */
+
 /* BEGIN GENERATED: prt_codegen --lang c --emit sh_rows,sh_terms,row_product --bands 3-6 */
 /* rows of a function at z and -z, 3 bands: 9 multiplications, 7 additions (1 can fuse), 15 loads, 10 stores */
 PRT__INLINE void prt__sh_rows_3(const prt_real *f, const prt_real *q, prt__vec *PRT__RESTRICT plus, 
@@ -16977,71 +17669,8 @@ PRT__INLINE void prt__sh_rows_3(const prt_real *f, const prt_real *q, prt__vec *
     minus[5] = t11;
 }
 
-/* rows of a function at z and -z, 3 bands: 9 multiplications, 7 additions (1 can fuse), 15 loads, 10 stores */
-PRT__INLINE void prt__sh_rows_3_v(const prt__vec *f, const prt_real *q, prt__vec *PRT__RESTRICT plus, 
-    prt__vec *PRT__RESTRICT minus) {
-    const prt__vec t1 = f[2] * prt__vec_load(q + 1 * PRT__NODES);
-    const prt__vec t2 = f[0] * prt__vec_load(q) + f[6] * prt__vec_load(q + 3 * PRT__NODES);
-    plus[0] = t1 + t2;
-    minus[0] = t2 - t1;
-    const prt__vec t3 = prt__vec_load(q + 2 * PRT__NODES);
-    const prt__vec t4 = f[3] * t3;
-    const prt__vec t5 = prt__vec_load(q + 4 * PRT__NODES);
-    const prt__vec t6 = f[7] * t5;
-    plus[2] = t4 + t6;
-    minus[2] = t4 - t6;
-    const prt__vec t7 = f[1] * t3;
-    const prt__vec t8 = f[5] * t5;
-    plus[3] = t7 + t8;
-    minus[3] = t7 - t8;
-    const prt__vec t9 = prt__vec_load(q + 5 * PRT__NODES);
-    const prt__vec t10 = f[8] * t9;
-    plus[4] = t10;
-    minus[4] = t10;
-    const prt__vec t11 = f[4] * t9;
-    plus[5] = t11;
-    minus[5] = t11;
-}
-
 /* rows of a function at z and -z, 4 bands: 16 multiplications, 14 additions (4 can fuse), 26 loads, 14 stores */
 PRT__INLINE void prt__sh_rows_4(const prt_real *f, const prt_real *q, prt__vec *PRT__RESTRICT plus, 
-    prt__vec *PRT__RESTRICT minus) {
-    const prt__vec t1 = f[0] * prt__vec_load(q) + f[6] * prt__vec_load(q + 3 * PRT__NODES);
-    const prt__vec t2 = f[2] * prt__vec_load(q + 1 * PRT__NODES) + f[12] * prt__vec_load(q + 6 * PRT__NODES);
-    plus[0] = t1 + t2;
-    minus[0] = t1 - t2;
-    const prt__vec t3 = prt__vec_load(q + 4 * PRT__NODES);
-    const prt__vec t4 = f[7] * t3;
-    const prt__vec t5 = prt__vec_load(q + 2 * PRT__NODES);
-    const prt__vec t6 = prt__vec_load(q + 7 * PRT__NODES);
-    const prt__vec t7 = f[3] * t5 + f[13] * t6;
-    plus[2] = t4 + t7;
-    minus[2] = t7 - t4;
-    const prt__vec t8 = f[5] * t3;
-    const prt__vec t9 = f[1] * t5 + f[11] * t6;
-    plus[3] = t8 + t9;
-    minus[3] = t9 - t8;
-    const prt__vec t10 = prt__vec_load(q + 5 * PRT__NODES);
-    const prt__vec t11 = f[8] * t10;
-    const prt__vec t12 = prt__vec_load(q + 8 * PRT__NODES);
-    const prt__vec t13 = f[14] * t12;
-    plus[4] = t11 + t13;
-    minus[4] = t11 - t13;
-    const prt__vec t14 = f[4] * t10;
-    const prt__vec t15 = f[10] * t12;
-    plus[5] = t14 + t15;
-    minus[5] = t14 - t15;
-    const prt__vec t16 = prt__vec_load(q + 9 * PRT__NODES);
-    const prt__vec t17 = f[15] * t16;
-    plus[6] = t17;
-    minus[6] = t17;
-    const prt__vec t18 = f[9] * t16;
-    plus[7] = t18;
-    minus[7] = t18;
-}
-
-/* rows of a function at z and -z, 4 bands: 16 multiplications, 14 additions (4 can fuse), 26 loads, 14 stores */
-PRT__INLINE void prt__sh_rows_4_v(const prt__vec *f, const prt_real *q, prt__vec *PRT__RESTRICT plus, 
     prt__vec *PRT__RESTRICT minus) {
     const prt__vec t1 = f[0] * prt__vec_load(q) + f[6] * prt__vec_load(q + 3 * PRT__NODES);
     const prt__vec t2 = f[2] * prt__vec_load(q + 1 * PRT__NODES) + f[12] * prt__vec_load(q + 6 * PRT__NODES);
@@ -17127,122 +17756,8 @@ PRT__INLINE void prt__sh_rows_5(const prt_real *f, const prt_real *q, prt__vec *
     minus[9] = t27;
 }
 
-/* rows of a function at z and -z, 5 bands: 25 multiplications, 23 additions (9 can fuse), 40 loads, 18 stores */
-PRT__INLINE void prt__sh_rows_5_v(const prt__vec *f, const prt_real *q, prt__vec *PRT__RESTRICT plus, 
-    prt__vec *PRT__RESTRICT minus) {
-    const prt__vec t1 = f[2] * prt__vec_load(q + 1 * PRT__NODES) + f[12] * prt__vec_load(q + 6 * PRT__NODES);
-    const prt__vec t2 = f[0] * prt__vec_load(q) + f[6] * prt__vec_load(q + 3 * PRT__NODES);
-    const prt__vec t3 = t2 + f[20] * prt__vec_load(q + 10 * PRT__NODES);
-    plus[0] = t1 + t3;
-    minus[0] = t3 - t1;
-    const prt__vec t4 = prt__vec_load(q + 2 * PRT__NODES);
-    const prt__vec t5 = prt__vec_load(q + 7 * PRT__NODES);
-    const prt__vec t6 = f[3] * t4 + f[13] * t5;
-    const prt__vec t7 = prt__vec_load(q + 4 * PRT__NODES);
-    const prt__vec t8 = prt__vec_load(q + 11 * PRT__NODES);
-    const prt__vec t9 = f[7] * t7 + f[21] * t8;
-    plus[2] = t6 + t9;
-    minus[2] = t6 - t9;
-    const prt__vec t10 = f[1] * t4 + f[11] * t5;
-    const prt__vec t11 = f[5] * t7 + f[19] * t8;
-    plus[3] = t10 + t11;
-    minus[3] = t10 - t11;
-    const prt__vec t12 = prt__vec_load(q + 8 * PRT__NODES);
-    const prt__vec t13 = f[14] * t12;
-    const prt__vec t14 = prt__vec_load(q + 5 * PRT__NODES);
-    const prt__vec t15 = prt__vec_load(q + 12 * PRT__NODES);
-    const prt__vec t16 = f[8] * t14 + f[22] * t15;
-    plus[4] = t13 + t16;
-    minus[4] = t16 - t13;
-    const prt__vec t17 = f[10] * t12;
-    const prt__vec t18 = f[4] * t14 + f[18] * t15;
-    plus[5] = t17 + t18;
-    minus[5] = t18 - t17;
-    const prt__vec t19 = prt__vec_load(q + 9 * PRT__NODES);
-    const prt__vec t20 = f[15] * t19;
-    const prt__vec t21 = prt__vec_load(q + 13 * PRT__NODES);
-    const prt__vec t22 = f[23] * t21;
-    plus[6] = t20 + t22;
-    minus[6] = t20 - t22;
-    const prt__vec t23 = f[9] * t19;
-    const prt__vec t24 = f[17] * t21;
-    plus[7] = t23 + t24;
-    minus[7] = t23 - t24;
-    const prt__vec t25 = prt__vec_load(q + 14 * PRT__NODES);
-    const prt__vec t26 = f[24] * t25;
-    plus[8] = t26;
-    minus[8] = t26;
-    const prt__vec t27 = f[16] * t25;
-    plus[9] = t27;
-    minus[9] = t27;
-}
-
 /* rows of a function at z and -z, 6 bands: 36 multiplications, 34 additions (16 can fuse), 57 loads, 22 stores */
 PRT__INLINE void prt__sh_rows_6(const prt_real *f, const prt_real *q, prt__vec *PRT__RESTRICT plus, 
-    prt__vec *PRT__RESTRICT minus) {
-    const prt__vec t1 = f[0] * prt__vec_load(q) + f[6] * prt__vec_load(q + 3 * PRT__NODES);
-    const prt__vec t2 = t1 + f[20] * prt__vec_load(q + 10 * PRT__NODES);
-    const prt__vec t3 = f[2] * prt__vec_load(q + 1 * PRT__NODES) + f[12] * prt__vec_load(q + 6 * PRT__NODES);
-    const prt__vec t4 = t3 + f[30] * prt__vec_load(q + 15 * PRT__NODES);
-    plus[0] = t2 + t4;
-    minus[0] = t2 - t4;
-    const prt__vec t5 = prt__vec_load(q + 4 * PRT__NODES);
-    const prt__vec t6 = prt__vec_load(q + 11 * PRT__NODES);
-    const prt__vec t7 = f[7] * t5 + f[21] * t6;
-    const prt__vec t8 = prt__vec_load(q + 2 * PRT__NODES);
-    const prt__vec t9 = prt__vec_load(q + 7 * PRT__NODES);
-    const prt__vec t10 = prt__vec_load(q + 16 * PRT__NODES);
-    const prt__vec t11 = (f[3] * t8 + f[13] * t9) + f[31] * t10;
-    plus[2] = t7 + t11;
-    minus[2] = t11 - t7;
-    const prt__vec t12 = f[5] * t5 + f[19] * t6;
-    const prt__vec t13 = (f[1] * t8 + f[11] * t9) + f[29] * t10;
-    plus[3] = t12 + t13;
-    minus[3] = t13 - t12;
-    const prt__vec t14 = prt__vec_load(q + 5 * PRT__NODES);
-    const prt__vec t15 = prt__vec_load(q + 12 * PRT__NODES);
-    const prt__vec t16 = f[8] * t14 + f[22] * t15;
-    const prt__vec t17 = prt__vec_load(q + 8 * PRT__NODES);
-    const prt__vec t18 = prt__vec_load(q + 17 * PRT__NODES);
-    const prt__vec t19 = f[14] * t17 + f[32] * t18;
-    plus[4] = t16 + t19;
-    minus[4] = t16 - t19;
-    const prt__vec t20 = f[4] * t14 + f[18] * t15;
-    const prt__vec t21 = f[10] * t17 + f[28] * t18;
-    plus[5] = t20 + t21;
-    minus[5] = t20 - t21;
-    const prt__vec t22 = prt__vec_load(q + 13 * PRT__NODES);
-    const prt__vec t23 = f[23] * t22;
-    const prt__vec t24 = prt__vec_load(q + 9 * PRT__NODES);
-    const prt__vec t25 = prt__vec_load(q + 18 * PRT__NODES);
-    const prt__vec t26 = f[15] * t24 + f[33] * t25;
-    plus[6] = t23 + t26;
-    minus[6] = t26 - t23;
-    const prt__vec t27 = f[17] * t22;
-    const prt__vec t28 = f[9] * t24 + f[27] * t25;
-    plus[7] = t27 + t28;
-    minus[7] = t28 - t27;
-    const prt__vec t29 = prt__vec_load(q + 14 * PRT__NODES);
-    const prt__vec t30 = f[24] * t29;
-    const prt__vec t31 = prt__vec_load(q + 19 * PRT__NODES);
-    const prt__vec t32 = f[34] * t31;
-    plus[8] = t30 + t32;
-    minus[8] = t30 - t32;
-    const prt__vec t33 = f[16] * t29;
-    const prt__vec t34 = f[26] * t31;
-    plus[9] = t33 + t34;
-    minus[9] = t33 - t34;
-    const prt__vec t35 = prt__vec_load(q + 20 * PRT__NODES);
-    const prt__vec t36 = f[35] * t35;
-    plus[10] = t36;
-    minus[10] = t36;
-    const prt__vec t37 = f[25] * t35;
-    plus[11] = t37;
-    minus[11] = t37;
-}
-
-/* rows of a function at z and -z, 6 bands: 36 multiplications, 34 additions (16 can fuse), 57 loads, 22 stores */
-PRT__INLINE void prt__sh_rows_6_v(const prt__vec *f, const prt_real *q, prt__vec *PRT__RESTRICT plus, 
     prt__vec *PRT__RESTRICT minus) {
     const prt__vec t1 = f[0] * prt__vec_load(q) + f[6] * prt__vec_load(q + 3 * PRT__NODES);
     const prt__vec t2 = t1 + f[20] * prt__vec_load(q + 10 * PRT__NODES);

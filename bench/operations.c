@@ -558,17 +558,42 @@ static int read_operations(const char *header, const char *what, int bands, oper
     return found;
 }
 
-/* of one pair: to 4 bands one kernel; above for each pair of circles two rows and a product on both, their
-   fold, and the projection */
+static void add_operations(operations *o, int times, const operations *more) {
+    o->multiplications += times * more->multiplications;
+    o->additions += times * more->additions;
+    o->fused += times * more->fused;
+}
+
+/* of one pair of 5 bands: both factors' parts, the cube, each axis and its plane, the coefficients */
+static int point_operations(const char *header, operations *o) {
+    static const struct { const char *what; int times; } kernels[] = {
+        { "parts of a function", 2 }, { "sums over the corners of a cube", 1 }, { "sums over the points of an axis", 3 },
+        { "sums over the points of a plane", 3 }, { "coefficients of sums over points", 1 }
+    };
+    size_t i;
+    memset(o, 0, sizeof *o);
+    for (i = 0; i < sizeof kernels / sizeof *kernels; i++) {
+        operations of;
+        if (!read_operations(header, kernels[i].what, 5, &of)) return 0;
+        add_operations(o, kernels[i].times, &of);
+    }
+    return 1;
+}
+
+/* of one pair: to 4 bands one kernel; at 6 for each pair of circles two rows and a product on both, their fold, and the
+   projection */
 static int pair_operations(const char *header, int bands, operations *o) {
     operations rows, product;
     int pairs = (3 * bands + 1) / 4, n = bands * bands;
     if (bands < 5) return read_operations(header, "products", bands, o);
+    if (bands == 5) return point_operations(header, o);
     if (!read_operations(header, "rows of a function at z and -z", bands, &rows)) return 0;
     if (!read_operations(header, "product of two rows", bands, &product)) return 0;
-    o->multiplications = pairs * (2 * rows.multiplications + 2 * product.multiplications + n);
-    o->additions = pairs * (2 * rows.additions + 2 * product.additions + 4 * bands) + (pairs - 1) * n;
-    o->fused = pairs * (2 * rows.fused + 2 * product.fused) + (pairs - 1) * n;
+    o->multiplications = pairs * n;
+    o->additions = pairs * 4 * bands + (pairs - 1) * n;
+    o->fused = (pairs - 1) * n;
+    add_operations(o, 2 * pairs, &rows);
+    add_operations(o, 2 * pairs, &product);
     return 1;
 }
 

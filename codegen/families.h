@@ -42,8 +42,14 @@
     X(local_frame, local_frame, 0, 0, FORM_TEXT) \
     X(sh_product, sh_product, 1, 6, FORM_ONE | FORM_TEXT) \
     X(sh_products, sh_products, 1, 4, FORM_LANES) \
+    X(point_parts, point_parts, 5, 5, FORM_STRIDED) \
+    X(point_corners, point_corners, 5, 5, FORM_BLOCK) \
+    X(point_octants, point_octants, 5, 5, FORM_BLOCK) \
+    X(point_plane, point_plane, 5, 5, FORM_BLOCK) \
+    X(point_coefficients, point_coefficients, 5, 5, FORM_STRIDED) \
     X(sh_square, sh_square, 1, 5, FORM_ONE | FORM_TEXT) \
-    X(sh_rows, sh_rows, 3, 8, FORM_NODES | FORM_BLOCK) \
+    X(sh_rows, sh_rows, 3, 8, FORM_NODES) \
+    X(sh_rows_block, sh_rows, 3, 8, FORM_BLOCK) \
     X(sh_terms, sh_terms, 3, 8, FORM_NODES) \
     X(row_product, row_product, 3, 8, FORM_BLOCK) \
     X(sh_product_zonal, sh_product_zonal, 1, 6, FORM_TEXT) \

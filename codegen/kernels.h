@@ -8,8 +8,9 @@
 
 /* Forms that prt.h needs of a family (see language.h), and the text in every language */
 enum {
-    FORM_ONE = 1, FORM_LANES = 2, FORM_SWEPT = 4, FORM_NODES = 16, FORM_BLOCK = 32, FORM_DOUBLE = 64,
-    FORM_HEADER = FORM_ONE | FORM_LANES | FORM_SWEPT | FORM_NODES | FORM_BLOCK | FORM_DOUBLE, FORM_TEXT = 8
+    FORM_ONE = 1, FORM_LANES = 2, FORM_SWEPT = 4, FORM_NODES = 16, FORM_BLOCK = 32, FORM_DOUBLE = 64, FORM_STRIDED = 128,
+    FORM_HEADER = FORM_ONE | FORM_LANES | FORM_SWEPT | FORM_NODES | FORM_BLOCK | FORM_DOUBLE | FORM_STRIDED,
+    FORM_TEXT = 8
 };
 
 typedef struct family {

@@ -198,6 +198,32 @@ const dialect dialect_header_block = {
     VECTOR_WORDS, open_header_block, load_header_rows, store_c, NULL, 0, NULL, ""
 };
 
+/* f and out are columns of structures of arrays; the rest are arrays of prt__vec. */
+static void open_header_strided(FILE *to, const kernel *k, const char *name) {
+    int i;
+    fprintf(to, "PRT__INLINE void %s_v(", name);
+    for (i = 0; i < k->param_count; i++) {
+        const param *p = &k->params[i];
+        if (!strcmp(p->name, "f")) fprintf(to, "const prt_real *f, ");
+        else if (!strcmp(p->name, "out")) fprintf(to, "prt_real *out, ");
+        else if (p->kind == PARAM_OUTPUT) fprintf(to, "prt__vec *PRT__RESTRICT %s, ", p->name);
+        else fprintf(to, "const prt__vec *%s, ", p->name);
+    }
+    fprintf(to, "size_t stride) {\n");
+}
+
+static void load_header_strided(char *text, size_t size, const param *p, int element) {
+    (strcmp(p->name, "f") ? load_c : load_header_lanes)(text, size, p, element);
+}
+
+static void store_header_strided(FILE *to, const param *p, int element, const char *value, int is_constant, int number) {
+    (strcmp(p->name, "out") ? store_c : store_header_lanes)(to, p, element, value, is_constant, number);
+}
+
+const dialect dialect_header_strided = {
+    VECTOR_WORDS, open_header_strided, load_header_strided, store_header_strided, NULL, 0, NULL, ""
+};
+
 /* ---- languages to embed in other programs: c, glsl, hlsl, wgsl, metal ---- */
 
 /* Words that some language keeps for itself take another name in all of them. */

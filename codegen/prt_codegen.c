@@ -64,6 +64,7 @@ static void print_header_forms(FILE *to, const family *f, int bands) {
     if (f->forms & FORM_SWEPT) print_swept(to, k, name);
     if (f->forms & FORM_NODES) print_kernel(to, &dialect_header_nodes, k, name);
     if (f->forms & FORM_BLOCK) print_kernel(to, &dialect_header_block, k, name);
+    if (f->forms & FORM_STRIDED) print_kernel(to, &dialect_header_strided, k, name);
     kernel_free(k);
 }
 
