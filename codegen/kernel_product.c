@@ -196,8 +196,20 @@ static complex_node input(kernel *k, const node *f, element e) {
     return w;
 }
 
+/* What out has so far is worked out before the next pair, whose elements then need not wait in memory. */
+static void stage_outputs(product *p) {
+    int i;
+    for (i = 0; i < p->element_count; i++) {
+        kernel_stage(p->k, p->out[i].re);
+        kernel_stage(p->k, p->out[i].im);
+    }
+}
+
+/* The order of statements: coefficient by coefficient, or pair by pair */
+typedef enum order { BY_OUTPUT, BY_PAIR } order;
+
 /* g is f itself for a square. */
-static void tensor_product_nodes(kernel *k, int bands, const node *f, const node *g, node *out) {
+static void tensor_product_nodes(kernel *k, int bands, const node *f, const node *g, order by, node *out) {
     product *p = (product *)calloc(1, sizeof *p);
     pair pr = { 0 };
     int l, m, i;
@@ -216,7 +228,10 @@ static void tensor_product_nodes(kernel *k, int bands, const node *f, const node
             p->elements[p->element_count++] = e;
         }
     find_triples(p);
-    while (best_pair(p, &pr)) serve(p, pr);
+    while (best_pair(p, &pr)) {
+        serve(p, pr);
+        if (by == BY_PAIR) stage_outputs(p);
+    }
     p->out[0].re = k_add(k, p->out[0].re, k_scale(k, x_sqrt(1 / (4 * x_pi())), p->mean));
     for (i = 0; i < p->element_count; i++) {
         element e = p->elements[i];
@@ -228,7 +243,7 @@ static void tensor_product_nodes(kernel *k, int bands, const node *f, const node
 
 /* By whichever takes fewer operations, the tensor or the circles of kernel_nodes.c */
 void product_nodes(kernel *k, int bands, const node *f, const node *g, node *out) {
-    if (bands <= 4) tensor_product_nodes(k, bands, f, g, out);
+    if (bands <= 4) tensor_product_nodes(k, bands, f, g, BY_OUTPUT, out);
     else circle_product_nodes(k, bands, f, g, out);
 }
 
@@ -265,10 +280,10 @@ static kernel *describe_product(const char *name, const char *what, int bands, p
 
 kernel *describe_sh_product(int bands) { return describe_product("sh_product", "product", bands, product_nodes); }
 
-/* For batches: by points where they take fewer operations, and much less memory, than the tensor */
+/* For batches: with few values at a time, and at 4 bands by points, which takes fewer operations than the tensor */
 static void batch_nodes(kernel *k, int bands, const node *f, const node *g, node *out) {
     if (bands == 4) point_product_nodes(k, f, g, out);
-    else tensor_product_nodes(k, bands, f, g, out);
+    else tensor_product_nodes(k, bands, f, g, BY_PAIR, out);
 }
 kernel *describe_sh_products(int bands) { return describe_product("sh_products", "products", bands, batch_nodes); }
 
@@ -281,7 +296,7 @@ kernel *describe_sh_square(int bands) {
             f[l * (l + 1) + m] = k_element(k, pf, l * (l + 1) + m);
             f[l * (l + 1) - m] = k_element(k, pf, l * (l + 1) - m);
         }
-    tensor_product_nodes(k, bands, f, f, out);
+    tensor_product_nodes(k, bands, f, f, BY_OUTPUT, out);
     output_product(k, bands, out);
     return k;
 }
@@ -295,7 +310,7 @@ kernel *describe_sh_product_zonal(int bands) {
     input_nodes(k, "zonal", bands, zonal);
     for (l = 0, i = 0; l < bands; l++)
         for (; i < (l + 1) * (l + 1); i++) g[i] = i == l * (l + 1) ? zonal[l] : k_const(k, 0);
-    tensor_product_nodes(k, bands, f, g, out);
+    tensor_product_nodes(k, bands, f, g, BY_OUTPUT, out);
     output_product(k, bands, out);
     return k;
 }
