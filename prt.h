@@ -76,9 +76,10 @@
      PRT_STATIC          everything is static: include with PRT_IMPLEMENTATION in each file that uses it. One program can
                          so hold both precisions, in different files
      PRTDEF              storage and linkage of the declarations, where `extern` is not what you want (dllexport, say)
-     PRT_MAX_BANDS       largest number of bands [64], 1 to 1024: arrays on the stack grow with its square
+     PRT_MAX_BANDS       largest number of bands [64], 1 to 1024: arrays on the stack grow with its square. Below 10,
+                         kernels for more bands are left out: at 5 it takes two thirds of the time to compile
      PRT_NO_SIMD         plain C only: no vector extensions
-     PRT_NO_CH           without the room >>ch, of which few programs have need: a quarter less to compile. (With
+     PRT_NO_CH           without the room >>ch, of which few programs have need: a tenth less to compile. (With
                          PRT_STATIC the compiler drops what a file does not call, which is faster still.)
 
    DETERMINISM
@@ -1298,6 +1299,7 @@ PRT__INLINE int prt__bands_ok(int bands) { return bands >= 1 && bands <= PRT_MAX
 
 /* bands > most, known to be false when it is compiled where PRT_MAX_BANDS is no more: what it leads to is left out. */
 PRT__INLINE int prt__above(int bands, int most) { return PRT_MAX_BANDS > most && bands > most; }
+#define PRT__FROM(bands, kernel) (PRT_MAX_BANDS >= (bands) ? (kernel) : NULL)   /* likewise, in a table of kernels */
 
 PRT__INLINE prt_vec3 prt__vec3(prt_real x, prt_real y, prt_real z) { prt_vec3 v; v.x = x; v.y = y; v.z = z; return v; }
 
@@ -1832,16 +1834,20 @@ static prt__sh_kernel_at prt__sh_at_1, prt__sh_at_2, prt__sh_at_3, prt__sh_at_4,
 static const double *prt__roots(void), *prt__inverse_roots(void);
 
 static prt__sh_kernel *const prt__sh_kernels[PRT__SH_KERNELS] = {
-    prt__sh_eval_1, prt__sh_eval_2, prt__sh_eval_3, prt__sh_eval_4, prt__sh_eval_5,
-    prt__sh_eval_6, prt__sh_eval_7, prt__sh_eval_8, prt__sh_eval_9, prt__sh_eval_10
+    prt__sh_eval_1, PRT__FROM(2, prt__sh_eval_2), PRT__FROM(3, prt__sh_eval_3), PRT__FROM(4, prt__sh_eval_4),
+    PRT__FROM(5, prt__sh_eval_5), PRT__FROM(6, prt__sh_eval_6), PRT__FROM(7, prt__sh_eval_7),
+    PRT__FROM(8, prt__sh_eval_8), PRT__FROM(9, prt__sh_eval_9), PRT__FROM(10, prt__sh_eval_10)
 };
 static prt__sh_kernel_v *const prt__sh_kernels_v[PRT__SH_KERNELS] = {
-    prt__sh_eval_1_v, prt__sh_eval_2_v, prt__sh_eval_3_v, prt__sh_eval_4_v, prt__sh_eval_5_v,
-    prt__sh_eval_6_v, prt__sh_eval_7_v, prt__sh_eval_8_v, prt__sh_eval_9_v, prt__sh_eval_10_v
+    prt__sh_eval_1_v, PRT__FROM(2, prt__sh_eval_2_v), PRT__FROM(3, prt__sh_eval_3_v),
+    PRT__FROM(4, prt__sh_eval_4_v), PRT__FROM(5, prt__sh_eval_5_v), PRT__FROM(6, prt__sh_eval_6_v),
+    PRT__FROM(7, prt__sh_eval_7_v), PRT__FROM(8, prt__sh_eval_8_v), PRT__FROM(9, prt__sh_eval_9_v),
+    PRT__FROM(10, prt__sh_eval_10_v)
 };
 static prt__sh_kernel_at *const prt__sh_kernels_at[PRT__SH_KERNELS] = {
-    prt__sh_at_1, prt__sh_at_2, prt__sh_at_3, prt__sh_at_4, prt__sh_at_5,
-    prt__sh_at_6, prt__sh_at_7, prt__sh_at_8, prt__sh_at_9, prt__sh_at_10
+    prt__sh_at_1, PRT__FROM(2, prt__sh_at_2), PRT__FROM(3, prt__sh_at_3), PRT__FROM(4, prt__sh_at_4),
+    PRT__FROM(5, prt__sh_at_5), PRT__FROM(6, prt__sh_at_6), PRT__FROM(7, prt__sh_at_7),
+    PRT__FROM(8, prt__sh_at_8), PRT__FROM(9, prt__sh_at_9), PRT__FROM(10, prt__sh_at_10)
 };
 
 /* sqrt(k) and 1/sqrt(k) for integers k >= 1: a table to 64 bands, the instruction beyond */
@@ -2131,8 +2137,8 @@ PRT__STATIC void prt__sh_make_factors(int bands, prt__sh_factors *factors) {
 }
 
 static const prt__basis prt__sh_basis = {
-    prt__sh_kernels, prt__sh_kernels_v, prt__sh_kernels_at, prt__sh_recurrence, prt__sh_make_factors,
-    prt__sh_far_step
+    prt__sh_kernels, prt__sh_kernels_v, prt__sh_kernels_at, PRT__FROM(PRT__SH_KERNELS + 1, prt__sh_recurrence),
+    PRT__FROM(PRT__SH_KERNELS + 1, prt__sh_make_factors), PRT__FROM(PRT__SH_KERNELS + 1, prt__sh_far_step)
 };
 
 PRT__INLINE void prt__eval(const prt__basis *basis, int bands, prt_vec3 d, prt_real *y) {
@@ -3759,11 +3765,13 @@ PRT__STATIC int prt__factors(int bands, const prt_real *blocks, prt__entry *entr
 
 /* By blocks as they are, and by their factors. */
 static prt__block_kernel *const prt__block_kernels[1 + PRT__FACTORS][PRT__ENTRY_BANDS] = {
-    { prt__block_lanes_0, prt__block_lanes_1, prt__block_lanes_2, prt__block_lanes_3,
-      prt__block_lanes_4, prt__block_lanes_5, prt__block_lanes_6, prt__block_lanes_7 },
+    { prt__block_lanes_0, PRT__FROM(2, prt__block_lanes_1), PRT__FROM(3, prt__block_lanes_2),
+      PRT__FROM(4, prt__block_lanes_3), PRT__FROM(5, prt__block_lanes_4), PRT__FROM(6, prt__block_lanes_5),
+      PRT__FROM(7, prt__block_lanes_6), PRT__FROM(8, prt__block_lanes_7) },
 #if PRT__FACTORS
-    { prt__block_lanes_0, prt__block_lanes_1, prt__factor_lanes_2, prt__factor_lanes_3,
-      prt__factor_lanes_4, prt__factor_lanes_5, prt__factor_lanes_6, prt__factor_lanes_7 }
+    { prt__block_lanes_0, PRT__FROM(2, prt__block_lanes_1), PRT__FROM(3, prt__factor_lanes_2),
+      PRT__FROM(4, prt__factor_lanes_3), PRT__FROM(5, prt__factor_lanes_4), PRT__FROM(6, prt__factor_lanes_5),
+      PRT__FROM(7, prt__factor_lanes_6), PRT__FROM(8, prt__factor_lanes_7) }
 #endif
 };
 
@@ -3931,10 +3939,13 @@ PRT__VECTORS_KERNEL(factor, 1, 2) PRT__VECTORS_KERNEL(factor, 1, 3) PRT__VECTORS
 PRT__VECTORS_KERNEL(factor, 1, 5) PRT__VECTORS_KERNEL(factor, 1, 6) PRT__VECTORS_KERNEL(factor, 1, 7)
 #undef PRT__VECTORS_KERNEL
 static prt__vectors_kernel *const prt__vectors_kernels[2][PRT__ENTRY_BANDS] = {
-    { NULL, prt__block_vectors_1, prt__block_vectors_2, prt__block_vectors_3,
-      prt__block_vectors_4, prt__block_vectors_5, prt__block_vectors_6, prt__block_vectors_7 },
-    { NULL, prt__block_vectors_1, prt__factor_vectors_2, prt__factor_vectors_3,
-      prt__factor_vectors_4, prt__factor_vectors_5, prt__factor_vectors_6, prt__factor_vectors_7 }
+    { NULL, PRT__FROM(2, prt__block_vectors_1), PRT__FROM(3, prt__block_vectors_2),
+      PRT__FROM(4, prt__block_vectors_3), PRT__FROM(5, prt__block_vectors_4), PRT__FROM(6, prt__block_vectors_5),
+      PRT__FROM(7, prt__block_vectors_6), PRT__FROM(8, prt__block_vectors_7) },
+    { NULL, PRT__FROM(2, prt__block_vectors_1), PRT__FROM(3, prt__factor_vectors_2),
+      PRT__FROM(4, prt__factor_vectors_3), PRT__FROM(5, prt__factor_vectors_4),
+      PRT__FROM(6, prt__factor_vectors_5), PRT__FROM(7, prt__factor_vectors_6),
+      PRT__FROM(8, prt__factor_vectors_7) }
 };
 
 /* The low bands, two or more, of a group of PRT__LANES vectors, an incomplete one by way of `part`; returns how many. */
@@ -3993,10 +4004,12 @@ PRT__RGB_KERNEL(factor, 1, 2) PRT__RGB_KERNEL(factor, 1, 3) PRT__RGB_KERNEL(fact
 PRT__RGB_KERNEL(factor, 1, 5) PRT__RGB_KERNEL(factor, 1, 6) PRT__RGB_KERNEL(factor, 1, 7)
 #undef PRT__RGB_KERNEL
 static prt__rgb_kernel *const prt__rgb_kernels[2][PRT__ENTRY_BANDS] = {
-    { NULL, prt__block_rgb_1, prt__block_rgb_2, prt__block_rgb_3,
-      prt__block_rgb_4, prt__block_rgb_5, prt__block_rgb_6, prt__block_rgb_7 },
-    { NULL, prt__block_rgb_1, prt__factor_rgb_2, prt__factor_rgb_3,
-      prt__factor_rgb_4, prt__factor_rgb_5, prt__factor_rgb_6, prt__factor_rgb_7 }
+    { NULL, PRT__FROM(2, prt__block_rgb_1), PRT__FROM(3, prt__block_rgb_2), PRT__FROM(4, prt__block_rgb_3),
+      PRT__FROM(5, prt__block_rgb_4), PRT__FROM(6, prt__block_rgb_5), PRT__FROM(7, prt__block_rgb_6),
+      PRT__FROM(8, prt__block_rgb_7) },
+    { NULL, PRT__FROM(2, prt__block_rgb_1), PRT__FROM(3, prt__factor_rgb_2), PRT__FROM(4, prt__factor_rgb_3),
+      PRT__FROM(5, prt__factor_rgb_4), PRT__FROM(6, prt__factor_rgb_5), PRT__FROM(7, prt__factor_rgb_6),
+      PRT__FROM(8, prt__factor_rgb_7) }
 };
 
 PRT__STATIC void prt__rotate_rgb(int bands, const prt_real *blocks, int count, const prt_real *f, prt_real *out) {
@@ -4808,8 +4821,9 @@ PRT__ROTATE_QUADS(1) PRT__ROTATE_QUADS(2) PRT__ROTATE_QUADS(3) PRT__ROTATE_QUADS
 PRT__ROTATE_QUADS(5) PRT__ROTATE_QUADS(6) PRT__ROTATE_QUADS(7) PRT__ROTATE_QUADS(8)
 #undef PRT__ROTATE_QUADS
 static prt_result (*const prt__rotate_quads_of[])(const prt_real *r, const prt_real *f, prt_real *out) = {
-    prt__rotate_quads_1, prt__rotate_quads_2, prt__rotate_quads_3, prt__rotate_quads_4,
-    prt__rotate_quads_5, prt__rotate_quads_6, prt__rotate_quads_7, prt__rotate_quads_8
+    prt__rotate_quads_1, PRT__FROM(2, prt__rotate_quads_2), PRT__FROM(3, prt__rotate_quads_3),
+    PRT__FROM(4, prt__rotate_quads_4), PRT__FROM(5, prt__rotate_quads_5), PRT__FROM(6, prt__rotate_quads_6),
+    PRT__FROM(7, prt__rotate_quads_7), PRT__FROM(8, prt__rotate_quads_8)
 };
 #else
 /* In double, which costs one at a time next to nothing. */
@@ -4817,8 +4831,9 @@ typedef void prt__rotate_kernel(const prt_real *r, const double *turn, const prt
 static prt__rotate_kernel prt__sh_rotate_2, prt__sh_rotate_3, prt__sh_rotate_4, prt__sh_rotate_5, prt__sh_rotate_6,
                           prt__sh_rotate_7, prt__sh_rotate_8;
 static prt__rotate_kernel *const prt__rotate_kernels[PRT__ROTATE_KERNELS - 1] = {
-    prt__sh_rotate_2, prt__sh_rotate_3, prt__sh_rotate_4, prt__sh_rotate_5, prt__sh_rotate_6, prt__sh_rotate_7,
-    prt__sh_rotate_8
+    PRT__FROM(2, prt__sh_rotate_2), PRT__FROM(3, prt__sh_rotate_3), PRT__FROM(4, prt__sh_rotate_4),
+    PRT__FROM(5, prt__sh_rotate_5), PRT__FROM(6, prt__sh_rotate_6), PRT__FROM(7, prt__sh_rotate_7),
+    PRT__FROM(8, prt__sh_rotate_8)
 };
 
 PRT__STATIC prt_result prt__rotate_plain(int bands, const prt_real *r, const prt_real *f, prt_real *out) {
@@ -5001,7 +5016,8 @@ PRTDEF prt_result prt_sh_rotate(int bands, const prt_real rotation[9], const prt
 #else
     result = prt__rotate_plain(low, rotation, f, out);
 #endif
-    if (result == PRT_OK && bands > low) prt__rotate_far(low, bands, rotation, f, out);
+    if (PRT_MAX_BANDS > PRT__ROTATE_KERNELS && result == PRT_OK && bands > low)
+        prt__rotate_far(low, bands, rotation, f, out);
     return result;
 }
 
@@ -5965,9 +5981,9 @@ PRT__STATIC void prt__product(int bands, const prt_real *f, const prt_real *g, p
     case 2: prt__sh_product_2(f, g, out); break;
     case 3: if (PRT__LANES == 4) prt__product_3(f, g, out); else prt__sh_product_3(f, g, out); break;
     case 4: if (PRT__LANES >= 2) prt__product_4(f, g, out); else prt__sh_product_4(f, g, out); break;
-    case 5: prt__product_5(f, g, out); break;
-    case 6: prt__product_6(f, g, out); break;
-    default: prt__grid_product(bands, f, g, out);
+    case 5: if (PRT_MAX_BANDS >= 5) prt__product_5(f, g, out); break;
+    case 6: if (PRT_MAX_BANDS >= 6) prt__product_6(f, g, out); break;
+    default: if (PRT_MAX_BANDS > PRT__NODE_BANDS) prt__grid_product(bands, f, g, out);
     }
 }
 
@@ -5984,7 +6000,10 @@ PRT__STATIC void prt__square(int bands, const prt_real *f, prt_real *out) {
     case 2: prt__sh_square_2(f, out); break;
     case 3: prt__sh_square_3(f, out); break;
     case 4: if (PRT__LANES >= 4) prt__product_4(f, f, out); else prt__sh_square_4(f, out); break;
-    case 5: if (PRT__LANES >= 2) prt__product_5(f, f, out); else prt__sh_square_5(f, out); break;
+    case 5:
+        if (PRT_MAX_BANDS < 5) break;
+        if (PRT__LANES >= 2) prt__product_5(f, f, out); else prt__sh_square_5(f, out);
+        break;
     default: prt__product(bands, f, f, out);
     }
 }
@@ -6010,8 +6029,8 @@ typedef struct prt__batch {
 } prt__batch;
 
 PRT__STATIC void prt__batch_init(prt__batch *batch, int bands) {
-    if (bands > PRT__NODE_BANDS) prt__grid_block_init(&batch->grid, bands);
-    else if (bands == 6) prt__node_block_init(&batch->block, bands, prt__nodes_6());
+    if (prt__above(bands, PRT__NODE_BANDS)) prt__grid_block_init(&batch->grid, bands);
+    else if (PRT_MAX_BANDS >= 6 && bands == 6) prt__node_block_init(&batch->block, bands, prt__nodes_6());
 }
 
 PRT__STATIC void prt__product_lanes(int bands, const prt__batch *batch, const prt_real *f, const prt_real *g,
@@ -6021,9 +6040,9 @@ PRT__STATIC void prt__product_lanes(int bands, const prt__batch *batch, const pr
     case 2: prt__sh_products_2_v(f, g, out, stride); break;
     case 3: prt__sh_products_3_v(f, g, out, stride); break;
     case 4: prt__sh_products_4_v(f, g, out, stride); break;
-    case 5: prt__product_5_block(f, g, out, stride); break;
-    case 6: prt__product_6_block(&batch->block, f, g, out, stride); break;
-    default: prt__grid_product_v(&batch->grid, f, g, out, stride);
+    case 5: if (PRT_MAX_BANDS >= 5) prt__product_5_block(f, g, out, stride); break;
+    case 6: if (PRT_MAX_BANDS >= 6) prt__product_6_block(&batch->block, f, g, out, stride); break;
+    default: if (PRT_MAX_BANDS > PRT__NODE_BANDS) prt__grid_product_v(&batch->grid, f, g, out, stride);
     }
 }
 
@@ -6312,16 +6331,20 @@ static prt__sh_kernel_at prt__ch_at_1, prt__ch_at_2, prt__ch_at_3, prt__ch_at_4,
 static const double *prt__ch_a(void), *prt__ch_c(void);
 
 static prt__sh_kernel *const prt__ch_kernels[PRT__SH_KERNELS] = {
-    prt__ch_eval_1, prt__ch_eval_2, prt__ch_eval_3, prt__ch_eval_4, prt__ch_eval_5,
-    prt__ch_eval_6, prt__ch_eval_7, prt__ch_eval_8, prt__ch_eval_9, prt__ch_eval_10
+    prt__ch_eval_1, PRT__FROM(2, prt__ch_eval_2), PRT__FROM(3, prt__ch_eval_3), PRT__FROM(4, prt__ch_eval_4),
+    PRT__FROM(5, prt__ch_eval_5), PRT__FROM(6, prt__ch_eval_6), PRT__FROM(7, prt__ch_eval_7),
+    PRT__FROM(8, prt__ch_eval_8), PRT__FROM(9, prt__ch_eval_9), PRT__FROM(10, prt__ch_eval_10)
 };
 static prt__sh_kernel_v *const prt__ch_kernels_v[PRT__SH_KERNELS] = {
-    prt__ch_eval_1_v, prt__ch_eval_2_v, prt__ch_eval_3_v, prt__ch_eval_4_v, prt__ch_eval_5_v,
-    prt__ch_eval_6_v, prt__ch_eval_7_v, prt__ch_eval_8_v, prt__ch_eval_9_v, prt__ch_eval_10_v
+    prt__ch_eval_1_v, PRT__FROM(2, prt__ch_eval_2_v), PRT__FROM(3, prt__ch_eval_3_v),
+    PRT__FROM(4, prt__ch_eval_4_v), PRT__FROM(5, prt__ch_eval_5_v), PRT__FROM(6, prt__ch_eval_6_v),
+    PRT__FROM(7, prt__ch_eval_7_v), PRT__FROM(8, prt__ch_eval_8_v), PRT__FROM(9, prt__ch_eval_9_v),
+    PRT__FROM(10, prt__ch_eval_10_v)
 };
 static prt__sh_kernel_at *const prt__ch_kernels_at[PRT__SH_KERNELS] = {
-    prt__ch_at_1, prt__ch_at_2, prt__ch_at_3, prt__ch_at_4, prt__ch_at_5,
-    prt__ch_at_6, prt__ch_at_7, prt__ch_at_8, prt__ch_at_9, prt__ch_at_10
+    prt__ch_at_1, PRT__FROM(2, prt__ch_at_2), PRT__FROM(3, prt__ch_at_3), PRT__FROM(4, prt__ch_at_4),
+    PRT__FROM(5, prt__ch_at_5), PRT__FROM(6, prt__ch_at_6), PRT__FROM(7, prt__ch_at_7),
+    PRT__FROM(8, prt__ch_at_8), PRT__FROM(9, prt__ch_at_9), PRT__FROM(10, prt__ch_at_10)
 };
 
 /* Entry j+1 of a row of S over entry j. T_l = sum_j t(l,j) P_{l-2j}, and with L = l-2j
@@ -6379,8 +6402,8 @@ PRT__STATIC void prt__ch_make_factors(int bands, prt__sh_factors *factors) {
 }
 
 static const prt__basis prt__ch_basis = {
-    prt__ch_kernels, prt__ch_kernels_v, prt__ch_kernels_at, prt__ch_recurrence, prt__ch_make_factors,
-    prt__ch_far_step
+    prt__ch_kernels, prt__ch_kernels_v, prt__ch_kernels_at, PRT__FROM(PRT__SH_KERNELS + 1, prt__ch_recurrence),
+    PRT__FROM(PRT__SH_KERNELS + 1, prt__ch_make_factors), PRT__FROM(PRT__SH_KERNELS + 1, prt__ch_far_step)
 };
 
 /* A product of many integers and their inverses that keeps what rounding drops: value = (hi + lo) 2^exponent. */

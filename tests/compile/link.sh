@@ -41,7 +41,7 @@ check "both precisions in one program (PRT_STATIC): C++" both_precisions g++
 
 # ---- overridden macros ----
 limits() { build gcc -std=c99 "$here/limits.c" -o limits "$@" && ./limits; }
-for bands in 1 3 10 11 1024; do
+for bands in 1 3 5 7 10 11 1024; do
     check "PRT_MAX_BANDS=$bands, float" limits -DPRT_MAX_BANDS=$bands -DPRT_STATIC
     check "PRT_MAX_BANDS=$bands, double" limits -DPRT_MAX_BANDS=$bands -DPRT_STATIC -DPRT_DOUBLE
 done
