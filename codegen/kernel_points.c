@@ -1,17 +1,18 @@
-/* Kernels of the room >>product: the product of two SH functions of four or five bands by way of their values at points.
+/* Kernels of the room >>product: the product of two SH functions of four or five bands by way of values at points.
 
-   Four bands: the twelve corners of an icosahedron, weight 25/840, and the twenty of a dodecahedron, 27/840, integrate
-   polynomials of degree 9 over the sphere exactly [McLaren 1963]: so (f g)(l,m), the sum of w f g Y(l,m) over them, is
-   exact where f, g and Y are of degree 3. Both solids stand so that the planes of coordinates are planes of symmetry: eight corners are
-   (+-1, +-1, +-1)/sqrt(3), the others lie four by four in the planes. What is even or odd in x, y and z is told apart,
+   Four bands: the twelve corners of an icosahedron, weight 25/840, and the twenty of a dodecahedron, 27/840,
+   integrate polynomials of degree 9 over the sphere exactly [McLaren 1963]: so (f g)(l,m), the sum of w f g Y(l,m)
+   over them, is exact where f, g and Y are of degree 3. Both solids stand so that the planes of coordinates are planes
+   of symmetry: eight corners are (+-1, +-1, +-1)/sqrt(3), the others lie four by four in the planes. What is even or
+   odd in x, y and z is told apart,
      f = Q + x Qx + y Qy + z Qz + a yz + b zx + c xy + d xyz,
    each Q a sum of x^2, y^2, z^2 by three coefficients; from these, the values at points that differ in signs alone are
-   sums and differences. Sums over the points go the same way back. All is relative to Y(0,0), at a plane's points to the
-   square of the larger coordinate too, and what is odd has the factor of Y(1,m) and such a scale that it needs none at
-   the icosahedron.
+   sums and differences. Sums over the points go the same way back. All is relative to Y(0,0), at a plane's points to
+   the square of the larger coordinate too, and what is odd has the factor of Y(1,m) and such a scale that it needs
+   none at the icosahedron. Five bands: see below.
 
-   Statements stand in an order that keeps few values alive: both factors side by side, for they take the same constants,
-   and one plane after the other. */
+   Statements stand in an order that keeps few values alive: both factors side by side, for they take the same
+   constants, and one plane after the other. */
 #include "kernels.h"
 
 /* q[axis]: the squares' coefficients of what is odd along that axis; q[WHOLE] of what is even. sum: of their three,
@@ -77,10 +78,11 @@ static octants octant_sums(kernel *k, const node sum[4], const node less[4]) {
     return s;
 }
 
-/* The same in a plane, of both functions: 1, xy, x, y; xy lacks a factor, y the ratio y/x, what is odd another factor */
+/* The same in a plane, of both functions: 1, xy, x, y; xy lacks a factor, y the ratio y/x, what is odd another. */
 typedef struct quadrants { node whole[2], mixed[2], far[2], near[2]; } quadrants;
 
-static void quadrant_products(kernel *k, const quadrants *f, xreal mixed_factor, xreal ratio, xreal odd_factor, node sum[4]) {
+static void quadrant_products(kernel *k, const quadrants *f, xreal mixed_factor, xreal ratio, xreal odd_factor,
+                              node sum[4]) {
     node even[2][2], odd[2][2], all[2], less[2];
     int i, j;
     for (j = 0; j < 2; j++) both_ways(k, f->whole[j], mixed_factor, f->mixed[j], &even[j][0], &even[j][1]);
@@ -101,11 +103,11 @@ static void quadrant_products(kernel *k, const quadrants *f, xreal mixed_factor,
 
 /* ---- parts from coefficients and back ---- */
 
-enum { XYZ = 10 };                                     /* the harmonics that are xyz, and yz, zx, xy, but for a factor */
+enum { XYZ = 10 };                                     /* the harmonics that are xyz, and yz, zx, xy by a factor */
 static const int mixed[3] = { 5, 7, 4 };
 
-/* The three harmonics of one part: the lowest is 1, or x, y, z, or yz, zx, xy but for a factor; the others are that times
-   b (z z^2 - s (x^2 + y^2)) and times c (t x^2 - u y^2) */
+/* The three harmonics of one part: the lowest is 1, or x, y, z, or yz, zx, xy by a factor; the others are that times
+   b (z z^2 - s (x^2 + y^2)) and times c (t x^2 - u y^2). */
 typedef struct spread { int lowest, along, across, z, s, t, u; xreal b, c; } spread;
 
 static spread spread_of(int part) {
@@ -276,8 +278,8 @@ void point_product_nodes(kernel *k, const node *f, const node *g, node *out) {
 
 /* ---- five bands: 74 points, planes and their poles one after the other ----
 
-   Polynomials of degree 12 are integrated exactly by the corners of an octahedron, a cube and a cuboctahedron, 24 points
-   (+-l, +-l, +-m) and 24 in the planes of coordinates [Lebedev 1976]. What is even is of degree 4 now,
+   The corners of an octahedron, a cube and a cuboctahedron, 24 points (+-l, +-l, +-m) and 24 in the planes of
+   coordinates integrate polynomials of degree 12 exactly [Lebedev 1976]. What is even is of degree 4 now,
      W = sum of six products of two squares,
    and yz, zx, xy have factors that are sums of squares too. What belongs to an axis stands in a row, so that the same
    kernel serves the three: for each axis n, followed by i and j, the points in the plane to which n is normal, those
@@ -288,8 +290,8 @@ enum {                                                 /* of a row; what is odd 
     SINGLE_SUM = SUMS, MIXED_SUM, WHOLE_SUM, PARTS_ROW
 };
 
-/* The weights, of one point each, follow from moments of x^2, y^2, z^2: those that have all three leave 24 and the cube, of
-   the rest those with two the points in planes, and the last the octahedron. */
+/* The weights, of one point each, follow from moments of x^2, y^2, z^2: those that have all three leave 24 and the
+   cube, of the rest those with two the points in planes, and the last the octahedron. */
 typedef struct lebedev {
     xreal l, m, weight;                                /* squares of the coordinates of the 24 */
     xreal cube, p, q, in_plane, cuboctahedron, octahedron;         /* p, q: squares in the planes */
@@ -519,8 +521,10 @@ static void add_octants(kernel *k, const octants *s, const lebedev *r, node to[3
     for (i = 0; i < 3; i++)
         for (j = 0; j < 3; j++) {
             xreal along = j ? 1 : ratio;
-            add_scaled(k, &to[i][entry(0, i, j)], weight * odd_scale() * root(3, 1) * along * (i ? 1 : step), s->single[i]);
-            add_scaled(k, &to[i][entry(1, i, j)], weight * root(15, 1) * along * (i ? step : 1), s->mixed[i]);
+            xreal single = weight * odd_scale() * root(3, 1) * (i ? 1 : step);
+            xreal twice = weight * root(15, 1) * (i ? step : 1);
+            add_scaled(k, &to[i][entry(0, i, j)], single * along, s->single[i]);
+            add_scaled(k, &to[i][entry(1, i, j)], twice * along, s->mixed[i]);
         }
     add_scaled(k, &to[0][ALL], weight * odd_scale() * root(105, 1) * step, s->all);
 }
