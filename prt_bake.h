@@ -78,12 +78,13 @@
      - Return 0. Anything else ends the bake with PRT_ERR_TRACE; points finished before stay valid.
      - It is called in the thread that called the bake; with several threads it must allow concurrent calls.
      - user is handed through untouched.
-     prt_tracer.closest, for prt_bake_bounce, prt_bake_glossy and prt_bake_vo, says what each ray meets first between
-     tmin and tmax, by the same rules:
+     prt_tracer.closest, for prt_bake_bounce, prt_bake_glossy, prt_bake_vo and prt_bake_fiv_inside, says what each ray
+     meets first between tmin and tmax, by the same rules:
      - hits[k].object is -1 on entry; leave it so where nothing is met. Else fill all of hits[k]: normals point outward
        from closed objects, whichever side is met. object is an index into the objects of the desc; primitive, u and v
        are read where that object has groups or triangles.
      - A batch holds rays of one point: feelers, by PRT_BAKE_BATCH, and then those that follow from their hits.
+       prt_bake_fiv_inside mixes points, and reads no more than whether object is below 0, and the normal.
 
    THREADS
      Call prt_bake_transfer from several threads with the same points and transfer and different ranges (some hundred
@@ -158,7 +159,7 @@ typedef struct prt_point { prt_vec3 position, normal; } prt_point;   /* where to
 typedef int (*prt_progress)(void *user, int done, int total);
 
 typedef struct prt_bake_desc {         /* zero-initialise; 0 means the default in brackets */
-    int bands;                         /* [5] */
+    int bands;                         /* [5, or PRT_MAX_BANDS if that is less] */
     int samples;                       /* rays a point [1024] */
     uint64_t seed;
     prt_real bias;                     /* ray offset along the normal, in scene units [1e-4 x scene_radius, or 1e-4] */
@@ -294,7 +295,7 @@ typedef struct prt_bounce_object {     /* zero-initialise: reflects nothing */
 } prt_bounce_object;
 
 typedef struct prt_bounce_desc {       /* zero-initialise; 0 means the default in brackets */
-    int bands;                         /* [5] */
+    int bands;                         /* [5, or PRT_MAX_BANDS if that is less] */
     int samples;                       /* rays a point [1024] */
     uint64_t seed;
     prt_real bias, scene_radius;       /* as in prt_bake_desc */
@@ -1134,7 +1135,7 @@ PRT__STATIC void prt__bake_shape(prt__bake *b, int bands) {
     b->width = prt__bake_width(bands);
 }
 
-enum { PRT__DEFAULT_BANDS = 5, PRT__DEFAULT_SAMPLES = 1024 };
+enum { PRT__DEFAULT_BANDS = PRT_MAX_BANDS < 5 ? PRT_MAX_BANDS : 5, PRT__DEFAULT_SAMPLES = 1024 };
 
 PRTDEF size_t prt_bake_transfer_size(int bands, int point_count) {
     size_t row = (size_t)PRT_SH_COUNT(prt__bands_ok(bands) ? bands : 0) * sizeof(prt_real);

@@ -1,7 +1,12 @@
 /* Built by link.sh with PRT_MAX_BANDS overridden: the limit is where it was put, and whatever has kernels for numbers
    of bands, some of which are then left out, works right up to it. */
 #define PRT_IMPLEMENTATION
-#include "prt.h"
+#ifdef PRT_STATIC                                        /* what is not called is not compiled */
+#  define PRT_BAKE_IMPLEMENTATION
+#  include "prt_bake.h"
+#else
+#  include "prt.h"
+#endif
 #include <stdio.h>
 
 enum { MOST = PRT_MAX_BANDS < 11 ? PRT_MAX_BANDS : 11, N = MOST * MOST, COUNT = 20 };
@@ -100,6 +105,20 @@ static void check_ch(int bands, int n) {
 }
 #endif
 
+#ifdef PRT_STATIC
+/* A desc of zeros bakes as many bands as by default, or as there are. */
+static void check_default(void) {
+    prt_bake_desc desc;
+    prt_point point;
+    int bands = PRT_MAX_BANDS < 5 ? PRT_MAX_BANDS : 5;
+    memset(&desc, 0, sizeof desc);
+    memset(&point, 0, sizeof point);
+    point.normal.z = 1;
+    if (prt_bake_transfer(&desc, 1, &point, 0, 1, a) != PRT_OK || !(a[0] > 0)) fail("prt_bake_transfer by default", bands);
+    if (prt_bake_scratch_size(0) == 0) fail("prt_bake_scratch_size by default", bands);
+}
+#endif
+
 int main(void) {
     prt_vec3 dir;
     double sum = 0, want = 0;
@@ -132,6 +151,7 @@ int main(void) {
         dirs[k].x = xs[k]; dirs[k].y = ys[k]; dirs[k].z = zs[k];
     }
     for (k = 0; k < COUNT * N; k++) f[k] = (prt_real)(0.4 * sin(1.7 * k + 0.3));
+    if (PRT_MAX_BANDS > 64) return bad;                  /* arrays of so many bands fill the stack */
     for (bands = 1; bands <= MOST; bands++) {
         check_evaluation(bands, bands * bands);
         check_rotation(bands, bands * bands);
@@ -140,5 +160,8 @@ int main(void) {
         check_ch(bands, bands * bands);
 #endif
     }
+#ifdef PRT_STATIC
+    check_default();
+#endif
     return bad;
 }
