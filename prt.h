@@ -3605,18 +3605,19 @@ PRT__STATIC void prt__block_lanes_any(int size, const prt_real *m, const prt_rea
 
 /* ---- blocks as turns about z, y and z ---- */
 
-/* Registers of 16 bytes, where arithmetic is what takes the time, apply M^l(R) as Z(a) D Z(g), R = Rz(a) Ry(b) Rz(g): a
-   turn about y keeps cosines (m >= 0) and sines (m < 0) apart, so that D has (l+1)^2 + l^2 entries in place of (2l+1)^2.
+/* Registers of 16 bytes, where arithmetic is what takes the time, apply M^l(R) as Z(a) D Z(g), R = Rz(a) Ry(b) Rz(g):
+   a turn about y keeps cosines (m >= 0) and sines (m < 0) apart: D has (l+1)^2 + l^2 entries in place of (2l+1)^2.
    A turn about z takes two multiplications a pair where its cosines are left to rows or columns of D:
    c x_c - s x_s = c (x_c - t x_s), c x_s + s x_c = c (x_s + t x_c), t = s/c. No t is too large: what is lost of the
-   brackets is of size eps |t x|, and c times that eps |s x|; a cosine of zero becomes one far below eps. Wider registers
-   would gain 1.1 to 1.3 times too, but beyond 200 to 400 vectors a call only, and bits must not depend on the count. */
+   brackets is of size eps |t x|, and c times that eps |s x|; a cosine of zero becomes one far below eps. Wider
+   registers would gain 1.1 to 1.3 times too, but beyond 200 to 400 vectors a call only, and bits must not depend on
+   the count. */
 
 #if PRT__FACTORS
 enum { PRT__FACTOR_BANDS = 4 };                                 /* from here on it pays */
 
-/* out = Z(a) D Z(g) x for one block in all lanes, coefficients so many steps apart; all of x is read first. Entries: t of
-   g for m = 1 ... l; the row m = 0 of D; for m = 1 ... l rows of cosines and of sines, and t of a. */
+/* out = Z(a) D Z(g) x for one block in all lanes, coefficients so many steps apart; all of x is read first. Entries:
+   t of g for m = 1 ... l; the row m = 0 of D; for m = 1 ... l rows of cosines and of sines, and t of a. */
 PRT__INLINE void prt__factor_lanes(int l, const prt__entry *e, const prt_real *x, size_t x_step, prt_real *out,
                                    size_t out_step) {
     prt__vec u[PRT__ENTRY_BANDS], v[PRT__ENTRY_BANDS], a, b;
@@ -3706,8 +3707,8 @@ PRT__STATIC void prt__block_phasors(int bands, const prt_real *block, prt__phaso
     prt__phasor_multiples(bands, (px * c + py * s) * over, (py * c - px * s) * over, a);
 }
 
-/* Rows m and -m of a block in a column of cosines and one of sines, turned back by g and a: cosine to cosine and sine to
-   sine; `c` and `s` sum up squares: of these, c[0] and s[1], and of what is between, c[1] and s[0]. */
+/* Rows m and -m of a block in a column of cosines and one of sines, turned back by g and a: cosine to cosine and sine
+   to sine; `c` and `s` sum up squares: of these, c[0] and s[1], and of what is between, c[1] and s[0]. */
 PRT__INLINE prt__twin prt__turn_back(prt__twin column, prt__twin other, prt__twin gc, prt__twin gs, prt__twin ac,
                                      prt__twin as, prt__twin *c, prt__twin *s) {
     prt__twin x = column * gc - other * gs, y = column * gs + other * gc;
@@ -3776,7 +3777,8 @@ static prt__block_kernel *const prt__block_kernels[1 + PRT__FACTORS][PRT__ENTRY_
 #endif
 };
 
-/* The low bands as kernels take them: band l at prt__block_offset(l) of the entries, in `room` or the blocks themselves. */
+/* The low bands as kernels take them: band l at prt__block_offset(l) of the entries, in `room` or the blocks
+   themselves. */
 typedef struct prt__built { const prt__entry *entries; int factors; } prt__built;
 
 PRT__STATIC prt__built prt__block_entries(int bands, const prt_real *blocks, prt__entry *room) {
@@ -4072,7 +4074,8 @@ PRT__STATIC void prt__rotate_lanes(int first, int end, int channels, const prt__
         for (c = 0; c < channels; c++) {
             int at = ((l * l - first * first) * channels + c) * PRT__LANES;
             size_t block = prt__block_offset(l);
-            if (l < PRT__ENTRY_BANDS) prt__block_kernels[built->factors][l](built->entries + block, x + at, step, out + at, step);
+            if (l < PRT__ENTRY_BANDS)
+                prt__block_kernels[built->factors][l](built->entries + block, x + at, step, out + at, step);
             else prt__block_lanes_any(2 * l + 1, blocks + block, x + at, step, out + at, step);
         }
 }

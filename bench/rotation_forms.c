@@ -45,7 +45,8 @@ int JOIN(rotation_blocks_, ROTATION_ID)(double *published, double *stabilised) {
 /* ---- error against time ---- */
 
 /* Many are 1024 as far as 8 bands, 64 above. */
-enum { LARGEST = ROTATION_LARGEST, MOST = LARGEST * LARGEST, ITEMS = 1024, FEWER = 64, ROOM = FEWER * MOST, TRIED = 13 };
+enum { LARGEST = ROTATION_LARGEST, MOST = LARGEST * LARGEST, ITEMS = 1024, FEWER = 64, ROOM = FEWER * MOST };
+enum { TRIED = 13 };                                           /* of many, whose errors are looked at */
 static int many(int bands) { return bands <= 8 ? ITEMS : FEWER; }
 typedef struct work {
     prt_real f[ROOM], out[ROOM], rotation[9], blocks[LARGEST * (4 * MOST - 1) / 3];

@@ -332,7 +332,9 @@ static void rows_pages_apart_are_the_same(void **state) {
 /* Many vectors at 4 to 8 bands may go by factors of the blocks, turns about z, y and z: that must not show. Every layout
    against the plain product of the blocks as they are, band l within scale[l] tolerance (scale NULL: 1). */
 enum { FACTORED = 8, SOME = 5 };
-typedef struct factored_case { prt_real blocks[FACTORED * (4 * FACTORED * FACTORED - 1) / 3], f[3 * SOME * FACTORED * FACTORED]; } factored_case;
+typedef struct factored_case {
+    prt_real blocks[FACTORED * (4 * FACTORED * FACTORED - 1) / 3], f[3 * SOME * FACTORED * FACTORED];
+} factored_case;
 
 static void layouts_agree(int bands, const factored_case *c, const double *scale, double tolerance) {
     enum { MOST = FACTORED * FACTORED };
