@@ -1243,9 +1243,15 @@ extern "C" {
 #  define PRT__LANES 1
 #endif
 
-/* Before a loop of few steps, known when it is compiled: gcc -O2 would leave it rolled, and its arrays in memory. */
+/* Before a loop of few steps, known when it is compiled: gcc -O2 would leave it rolled, and its arrays in memory. Clang
+   warns where what a sanitizer adds keeps it from that. */
 #if defined(__clang__)
-#  define PRT__UNROLL _Pragma("unroll")
+#  if __has_feature(address_sanitizer) || __has_feature(memory_sanitizer) || __has_feature(thread_sanitizer) || \
+      __has_feature(undefined_behavior_sanitizer)
+#    define PRT__UNROLL
+#  else
+#    define PRT__UNROLL _Pragma("unroll")
+#  endif
 #elif defined(__GNUC__) && __GNUC__ >= 8
 #  define PRT__UNROLL _Pragma("GCC unroll 16")
 #else
