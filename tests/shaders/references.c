@@ -291,7 +291,7 @@ static void vo_unfold(const double *in, double *out) {
     X(sh_rotate, 0, prt_sh_rotate(n, in, in + 9, out)) \
     X(shade_diffuse_four, 0, prt_shade_diffuse(2, in, in + 4, (prt_rgb *)(void *)out)) \
     X(sh_rotate_turned, 0, prt_sh_rotate(n, in, in + 9 + 6, out)) \
-    X(sh_turn, 0, prt__euler(in, (prt__angles *)(void *)out)) \
+    X(sh_turn, 0, prt__turn_of(in, out)) \
     X(sh_rotate_z, 0, prt_sh_rotate_z(n, in[0], in + 1, out)) \
     X(rotation_from_quaternion, 0, prt_rotation_from_quaternion(in, out)) \
     X(sh_zonal_to, 0, prt_sh_zonal_to(n, in, vec3_of(in + n), out)) \
@@ -412,12 +412,11 @@ static double fill_scalar(const char *name, int item) {
 
 /* A rotation, any or about z, and after it its cosines and sines; or a reflection. */
 static void fill_rotation(int item, int reflect, double *r) {
-    double q[4], turn[8];
+    double q[4];
     int i;
     for (i = 0; i < 4; i++) q[i] = item < SPECIAL && item % 4 != i && (i == 1 || i == 2) ? 0 : 2 * uniform() - 1;
     prt_rotation_from_quaternion(q, r);
-    prt__euler(r, (prt__angles *)(void *)turn);
-    memcpy(r + 9, turn, 6 * sizeof *turn);
+    prt__turn_of(r, r + 9);
     for (i = 0; reflect && i < 9; i++) r[i] = -r[i];
 }
 
