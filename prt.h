@@ -483,8 +483,8 @@ PRTDEF prt_result prt_sh_rotate_by_soa(int bands, const prt_real *blocks, int co
    stays its own inverse; without SIMD all of it is in double, and the rounding of R is what remains. At 5 bands, by
    tensors: 6e-5 in the mean and 2e-4 at worst. Cost: 9 55 122 224 358 528 738 multiplications and about 0.6 times as
    many additions for 2 to 8 bands without SIMD; with it fewer, four at a time, and above 5 bands one root and two
-   divisions. 0.41, 0.55, 0.64 and 0.71 times the time of DirectXMath's XMSHRotate at 3 to 6 bands (AVX-512; 0.51, 0.6,
-   0.7 and 0.78 with SSE2). Above 8 bands the swap is computed on the way, in double, about 16 l^2 operations a band
+   divisions. 0.41, 0.55, 0.64 and 0.71 times the time of DirectXMath's XMSHRotate at 3 to 6 bands (AVX-512; 0.43, 0.55,
+   0.65 and 0.74 with SSE2). Above 8 bands the swap is computed on the way, in double, about 16 l^2 operations a band
    without a root or division: 0.22, 1.5 and 41 us at 9, 16 and 64 bands (AVX-512; 0.35, 3.3 and 167 us with SSE2), a
    seventh of what building the blocks takes. */
 PRTDEF prt_result prt_sh_rotate     (int bands, const prt_real rotation[9], const prt_real *f, prt_real *out);
