@@ -457,7 +457,7 @@ PRTDEF prt_result prt_sh_rotate_by  (int bands, const prt_real *blocks, const pr
    coefficient i of vector k at [i*stride + k], stride >= count. Cost: prt_sh_rotation_count multiply-adds a vector
    (three times that for _n_rgb), done in SIMD across vectors; _soa, which transposes nothing, does 0.65 to 0.8 of the
    multiply-adds that the machine can. At 4 bands arrays beyond the caches are turned at 0.7 of the rate of memcpy and
-   more, SSE2 at 0.5 (_n_rgb), 0.6 (_soa) and 0.7 (_n): docs/rotation.md.
+   more, with SSE2 at 0.65 and more: docs/rotation.md.
    With registers of 16 bytes (SSE2, NEON) and 4 to 8 bands the blocks of a rotation go by their factors, Z(a) D Z(g)
    with R = Rz(a) Ry(b) Rz(g): 68, 125, 206, 315 and 456 multiplications a vector in place of 84, 165, 286, 455 and 680,
    for 0.09, 0.15, 0.24, 0.37 and 0.53 us a call to find them: faster from 60 vectors on at 6 bands, 130 at 4; for a
@@ -1740,8 +1740,9 @@ PRT__STATIC void prt__window_weights(prt_window w, int width, int bands, double 
 extern "C" {
 #endif
 
-/* Four values, for transposes and for sums across lanes */
+/* Two doubles, and four values for transposes and for sums across lanes */
 #if PRT__SIMD
+typedef double prt__pair __attribute__((vector_size(16)));
 typedef prt_real prt__quad __attribute__((vector_size(4 * sizeof(prt_real))));
 PRT__INLINE void prt__quad_transpose(prt__quad m[4]) {
 #  if defined(__clang__) || __GNUC__ >= 12
@@ -3304,6 +3305,13 @@ PRTDEF prt_result prt_sh_dering(int bands, const prt_real *f, prt_real *out, prt
 
 /* ------------------------------------------------------------------------------------------------ >>rotate ---- */
 
+/* cos and sin of m times an angle become those of m + 1 times; c, s: of the angle. */
+PRT__INLINE void prt__next_multiple(double c, double s, double *cm, double *sm) {
+    double next = *cm * c - *sm * s;
+    *sm = *sm * c + *cm * s;
+    *cm = next;
+}
+
 PRTDEF prt_result prt_rotation_from_quaternion(const prt_real q[4], prt_real rotation[9]) {
 #ifdef PRT_DOUBLE
     typedef long double wide;                                   /* at least what it says: errors of R show l-fold */
@@ -3665,32 +3673,28 @@ PRT__FACTOR_KERNEL(2) PRT__FACTOR_KERNEL(3) PRT__FACTOR_KERNEL(4)
 PRT__FACTOR_KERNEL(5) PRT__FACTOR_KERNEL(6) PRT__FACTOR_KERNEL(7)
 #undef PRT__FACTOR_KERNEL
 
-/* Two doubles, for rows m and -m of a block. */
-typedef double prt__twin __attribute__((vector_size(16)));
-PRT__INLINE prt__twin prt__twins(double a, double b) { prt__twin t = { a, b }; return t; }
-PRT__INLINE prt__twin prt__crossed(prt__twin t) { prt__twin r = { t[1], t[0] }; return r; }
+PRT__INLINE prt__pair prt__pair_of(double a, double b) { prt__pair p = { a, b }; return p; }
+PRT__INLINE prt__pair prt__crossed(prt__pair p) { prt__pair r = { p[1], p[0] }; return r; }
 
 /* Cosines and sines of the multiples of an angle; for turns by shears their quotient, and the cosine over their squared
    length: an error of the first's grows with the multiple. */
 typedef struct prt__phasors {
-    prt__twin c[PRT__ENTRY_BANDS], s[PRT__ENTRY_BANDS], scale[PRT__ENTRY_BANDS];
+    prt__pair c[PRT__ENTRY_BANDS], s[PRT__ENTRY_BANDS], scale[PRT__ENTRY_BANDS];
     prt__entry t[PRT__ENTRY_BANDS];
 } prt__phasors;
 
 PRT__STATIC void prt__phasor_multiples(int bands, double c1, double s1, prt__phasors *p) {
     const double least = (double)PRT__EPS / 128;
-    double c = 1, s = 0, next, by;
+    double c = 1, s = 0, by;
     int m;
     for (m = 1; m < bands; m++) {
-        next = c * c1 - s * s1;
-        s = s * c1 + c * s1;
-        c = next;
+        prt__next_multiple(c1, s1, &c, &s);
         by = fabs(c) >= least ? c : least;
-        p->c[m] = prt__twins(c, c);
-        p->s[m] = prt__twins(s, s);
+        p->c[m] = prt__pair_of(c, c);
+        p->s[m] = prt__pair_of(s, s);
         p->t[m] = prt__entry_of((prt_real)(s / by));
         by *= 2 - (c * c + s * s);
-        p->scale[m] = prt__twins(by, by);
+        p->scale[m] = prt__pair_of(by, by);
     }
 }
 
@@ -3715,14 +3719,14 @@ PRT__STATIC void prt__block_phasors(int bands, const prt_real *block, prt__phaso
 
 /* Rows m and -m of a block in a column of cosines and one of sines, turned back by g and a: cosine to cosine and sine
    to sine; `c` and `s` sum up squares: of these, c[0] and s[1], and of what is between, c[1] and s[0]. */
-PRT__INLINE prt__twin prt__turn_back(prt__twin column, prt__twin other, prt__twin gc, prt__twin gs, prt__twin ac,
-                                     prt__twin as, prt__twin *c, prt__twin *s) {
-    prt__twin x = column * gc - other * gs, y = column * gs + other * gc;
+PRT__INLINE prt__pair prt__turn_back(prt__pair column, prt__pair other, prt__pair gc, prt__pair gs, prt__pair ac,
+                                     prt__pair as, prt__pair *c, prt__pair *s) {
+    prt__pair x = column * gc - other * gs, y = column * gs + other * gc;
     x = x * ac + prt__crossed(x) * as;
     y = y * ac + prt__crossed(y) * as;
     *c += x * x;
     *s += y * y;
-    return prt__twins(x[0], y[1]);
+    return prt__pair_of(x[0], y[1]);
 }
 
 /* The entries of one block, as prt__factor_lanes takes them; 0 if it is not such a product to its own rounding: what D
@@ -3730,26 +3734,26 @@ PRT__INLINE prt__twin prt__turn_back(prt__twin column, prt__twin other, prt__twi
 PRT__STATIC int prt__block_factors(int l, const prt_real *block, const prt__phasors *a, const prt__phasors *g,
                                    prt__entry *e) {
     const prt_real *plus = block + l * (2 * l + 2), *minus = plus;
-    const prt__twin zero = prt__twins(0, 0), one = prt__twins(1, 1), sign = prt__twins(1, -1);
-    prt__twin c = zero, s = zero, d;
+    const prt__pair zero = prt__pair_of(0, 0), one = prt__pair_of(1, 1), sign = prt__pair_of(1, -1);
+    prt__pair c = zero, s = zero, d;
     double tolerance = 4 * l * (double)PRT__EPS;
     int m, k, size = 2 * l + 1;
     for (m = 1; m <= l; m++) *e++ = g->t[m];
     e[0] = prt__entry_of(*plus);
     for (k = 1; k <= l; k++) {
-        d = prt__turn_back(prt__twins((double)plus[k], 0), prt__twins((double)plus[-k], 0), g->c[k], g->s[k], one, zero,
+        d = prt__turn_back(prt__pair_of((double)plus[k], 0), prt__pair_of((double)plus[-k], 0), g->c[k], g->s[k], one, zero,
                            &c, &s);
         e[k] = prt__entry_of((prt_real)(d[0] * g->scale[k][0]));
     }
     for (m = 1, e += l + 1; m <= l; m++, e += size + 1) {
-        prt__twin ac = a->c[m], as = a->s[m] * sign, scale = a->scale[m];
+        prt__pair ac = a->c[m], as = a->s[m] * sign, scale = a->scale[m];
         plus += size;
         minus -= size;
-        d = prt__turn_back(prt__twins((double)plus[0], (double)minus[0]), zero, one, zero, ac, as, &c, &s);
+        d = prt__turn_back(prt__pair_of((double)plus[0], (double)minus[0]), zero, one, zero, ac, as, &c, &s);
         e[0] = prt__entry_of((prt_real)(d[0] * scale[0]));
         for (k = 1; k <= l; k++) {
-            d = prt__turn_back(prt__twins((double)plus[k], (double)minus[k]),
-                               prt__twins((double)plus[-k], (double)minus[-k]), g->c[k], g->s[k], ac, as, &c, &s);
+            d = prt__turn_back(prt__pair_of((double)plus[k], (double)minus[k]),
+                               prt__pair_of((double)plus[-k], (double)minus[-k]), g->c[k], g->s[k], ac, as, &c, &s);
             d *= scale * g->scale[k];
             e[k] = prt__entry_of((prt_real)d[0]);
             e[l + k] = prt__entry_of((prt_real)d[1]);
@@ -4287,15 +4291,13 @@ PRT__STATIC void prt__turn_z(int bands, double c, double s, const prt_real *f, p
     double cm = 1, sm = 0;
     int l, m;
     for (m = 0; m < bands; m++) {
-        double next = cm * c - sm * s;
         prt_real cr = (prt_real)cm, sr = (prt_real)sm;
         for (l = m; l < bands; l++) {
             prt_real plus = f[PRT_SH_INDEX(l, m)], minus = f[PRT_SH_INDEX(l, -m)];
             out[PRT_SH_INDEX(l, -m)] = cr * minus + sr * plus;
             out[PRT_SH_INDEX(l, m)] = m ? cr * plus - sr * minus : plus;
         }
-        sm = sm * c + cm * s;
-        cm = next;
+        prt__next_multiple(c, s, &cm, &sm);
     }
 }
 
@@ -4333,8 +4335,10 @@ PRT__INLINE void prt__turn_classes(prt__classes *v, const prt__classes *t) {
     v->odd_sin = v->odd_sin * t->odd_cos + odd * t->odd_sin;
 }
 
-/* The rest of the lanes */
+/* The rest of the lanes, from those of high */
 PRT__INLINE void prt__spread_multiples(prt__turn *t) {
+    t->cos_4 = PRT__QUAD_SHUFFLE(t->high.even_cos, t->high.odd_cos, 1, 2, 4, 5);
+    t->sin_4 = PRT__QUAD_SHUFFLE(t->high.even_sin, t->high.odd_sin, 1, 2, 4, 5);
     t->low.even_cos = PRT__QUAD_SHUFFLE(t->high.even_cos, t->high.even_cos, 0, 1, 0, 1);
     t->low.even_sin = PRT__QUAD_SHUFFLE(t->high.even_sin, t->high.even_sin, 0, 1, 0, 1);
     t->low.odd_cos = PRT__QUAD_SHUFFLE(t->high.odd_cos, t->high.odd_cos, 0, 1, 0, 1);
@@ -4356,8 +4360,6 @@ PRT__INLINE prt__turn prt__multiples(int bands, prt_real c1, prt_real s1, prt_re
     t.high.even_sin = s;
     t.high.odd_cos = c * c1 - s * s1;
     t.high.odd_sin = s * c1 + c * s1;
-    t.cos_4 = PRT__QUAD_SHUFFLE(c, t.high.odd_cos, 1, 2, 4, 5);
-    t.sin_4 = PRT__QUAD_SHUFFLE(s, t.high.odd_sin, 1, 2, 4, 5);
     prt__spread_multiples(&t);
     return t;
 }
@@ -4378,14 +4380,11 @@ PRT__INLINE prt__turn prt__multiples_of_b(int bands, prt_real v1, prt_real s1) {
     t.high.even_sin = s;
     t.high.odd_cos = one - (v + v1 - (v * v1 - s * s1));
     t.high.odd_sin = s + s1 - (s * v1 + v * s1);
-    t.cos_4 = PRT__QUAD_SHUFFLE(t.high.even_cos, t.high.odd_cos, 1, 2, 4, 5);
-    t.sin_4 = PRT__QUAD_SHUFFLE(t.high.even_sin, t.high.odd_sin, 1, 2, 4, 5);
     prt__spread_multiples(&t);
     return t;
 }
 
 /* Four phasors in double, two and two: of registers of 16 bytes the compilers make more when told so. */
-typedef double prt__pair __attribute__((vector_size(16)));
 typedef double prt__pairs __attribute__((vector_size(32)));
 typedef struct prt__four_phasors { prt__pair c[2], s[2]; } prt__four_phasors;
 typedef struct prt__rounded { prt__quad c, s; } prt__rounded;
@@ -4437,8 +4436,6 @@ PRT__INLINE prt__turn prt__multiples_of_a(int bands, const prt__angles *e, const
     prt__turn a;
     low = prt__four_phasors_times(&low, once_or_thrice_c, once_or_thrice_s);                /* 2 4 1 3 */
     four = prt__rest_of_four(e, &low, g->cos_4, g->sin_4);
-    a.cos_4 = four.c;
-    a.sin_4 = four.s;
     a.high.even_cos = PRT__QUAD_SHUFFLE(four.c, one, 4, 0, 1, 1);
     a.high.even_sin = PRT__QUAD_SHUFFLE(four.s, zero, 4, 0, 1, 1);
     c4 = low.c[0][1];
@@ -4971,12 +4968,11 @@ PRT__STATIC void prt__band_swap_yz(int l, const prt__swap *t, prt__band *b) {
 
 /* Cosine and sine of the multiples of an angle, as a band. */
 PRT__STATIC void prt__multiples_of(int bands, double c, double s, prt__band *turn) {
+    double cm = 1, sm = 0;
     int m;
-    turn->c[0] = 1;
-    turn->s[0] = 0;
-    for (m = 1; m < bands; m++) {
-        turn->c[m] = turn->c[m - 1] * c - turn->s[m - 1] * s;
-        turn->s[m] = turn->s[m - 1] * c + turn->c[m - 1] * s;
+    for (m = 0; m < bands; m++, prt__next_multiple(c, s, &cm, &sm)) {
+        turn->c[m] = cm;
+        turn->s[m] = sm;
     }
     for (; m % PRT__WIDE_LANES; m++) turn->c[m] = turn->s[m] = 0;
 }

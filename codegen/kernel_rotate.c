@@ -128,8 +128,9 @@ static xreal swap_entry(int l, int m, int column) {
 
    A turn swaps twice, and a thousand small turns two thousand times: what matters is that the swap of the rounded
    matrix is still its own inverse, not that each entry is the nearest. So the entries of a band are rounded
-   together, each to one of the four nearest floats, for the least |J J - 1|. Found from several starts, by changing one
-   entry or two at a time; in integers, entries in units of 2^-30, as any machine must find the same. */
+   together, each to one of the four nearest floats, for the least |J J - 1|, and for a trace of it near 0, which would
+   make vectors grow or shrink whatever the axis. Found from several starts, by changing one entry or two at a time; in
+   integers, entries in units of 2^-30, as any machine must find the same. */
 
 enum { NEAR = 4, STARTS = 12, UNIT_BITS = 30 };
 typedef struct entry { int row, column; long long value[NEAR]; } entry;

@@ -24,12 +24,12 @@ typedef struct dialect {
     const char *preamble;                              /* lines before the first function */
 } dialect;
 
-/* The forms that stand in prt.h: scalars, one item a call; prt__vec, PRT__LANES items a call; and prt__vec over
-   arrays of items, the stores in sweeps of at most eight rows: more rows whose distance is a multiple of 4096 bytes
-   would evict each other from a first-level cache of 8 to 12 ways before their lines are full. Nodes and block, for
-   kernel_nodes.c: arrays of prt__vec, but that of the factors q, which has PRT__NODES reals for each entry, and, for
-   nodes, that of the coefficients f, which are the same in all lanes. Strided, for kernel_points.c: as block, but f and
-   out are structures of arrays. */
+/* The forms that stand in prt.h: scalars, one item a call; the same in double; prt__vec, PRT__LANES items a call; and
+   prt__vec over arrays of items, the stores in sweeps of at most eight rows: more rows whose distance is a multiple of
+   4096 bytes would evict each other from a first-level cache of 8 to 12 ways before their lines are full. Nodes and
+   block, for kernel_nodes.c: arrays of prt__vec, but that of the factors q, which has PRT__NODES reals for each entry,
+   and, for nodes, that of the coefficients f, which are the same in all lanes. Strided, for kernel_points.c: as block,
+   but f and out are structures of arrays. */
 extern const dialect dialect_header, dialect_header_double, dialect_header_lanes, dialect_header_nodes, dialect_header_block,
     dialect_header_strided;
 
