@@ -462,9 +462,10 @@ PRTDEF prt_result prt_sh_rotate_by  (int bands, const prt_real *blocks, const pr
    with R = Rz(a) Ry(b) Rz(g): 68, 125, 206, 315 and 456 multiplications a vector in place of 84, 165, 286, 455 and 680,
    for 0.09, 0.15, 0.24, 0.37 and 0.53 us a call to find them: faster from 60 vectors on at 6 bands, 130 at 4; for a
    few, prt_sh_rotate_by is.
-   Blocks may also be a reflection's, scaled band by band, or no rotation's at all: what is not such a product within
-   4 l eps is applied as it is. Accuracy, float/double, for |f_i| <= 1: 7e-7/2e-15 at 6 bands, 1e-6/3e-15 at 8; by
-   factors, for an R that is itself a product in float, twice that. */
+   Blocks may also be a reflection's, scaled band by band, or no rotation's at all: what is not such a product within 4
+   l eps is applied as it is. By factors coefficients from 1e29 on (1e290 in double) may overflow. Accuracy,
+   float/double, for |f_i| <= 1: 7e-7/2e-15 at 6 bands, 1e-6/3e-15 at 8; by factors, for an R that is itself a product
+   in float, twice that. */
 PRTDEF prt_result prt_sh_rotate_by_n(int bands, const prt_real *blocks, int count, const prt_real *f, prt_real *out);
 PRTDEF prt_result prt_sh_rotate_by_n_rgb(int bands, const prt_real *blocks, int count, const prt_real *f,
                                          prt_real *out);
