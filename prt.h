@@ -4336,10 +4336,8 @@ PRT__INLINE void prt__turn_classes(prt__classes *v, const prt__classes *t) {
     v->odd_sin = v->odd_sin * t->odd_cos + odd * t->odd_sin;
 }
 
-/* The rest of the lanes, from those of high */
+/* The rest of the lanes */
 PRT__INLINE void prt__spread_multiples(prt__turn *t) {
-    t->cos_4 = PRT__QUAD_SHUFFLE(t->high.even_cos, t->high.odd_cos, 1, 2, 4, 5);
-    t->sin_4 = PRT__QUAD_SHUFFLE(t->high.even_sin, t->high.odd_sin, 1, 2, 4, 5);
     t->low.even_cos = PRT__QUAD_SHUFFLE(t->high.even_cos, t->high.even_cos, 0, 1, 0, 1);
     t->low.even_sin = PRT__QUAD_SHUFFLE(t->high.even_sin, t->high.even_sin, 0, 1, 0, 1);
     t->low.odd_cos = PRT__QUAD_SHUFFLE(t->high.odd_cos, t->high.odd_cos, 0, 1, 0, 1);
@@ -4361,6 +4359,8 @@ PRT__INLINE prt__turn prt__multiples(int bands, prt_real c1, prt_real s1, prt_re
     t.high.even_sin = s;
     t.high.odd_cos = c * c1 - s * s1;
     t.high.odd_sin = s * c1 + c * s1;
+    t.cos_4 = PRT__QUAD_SHUFFLE(c, t.high.odd_cos, 1, 2, 4, 5);
+    t.sin_4 = PRT__QUAD_SHUFFLE(s, t.high.odd_sin, 1, 2, 4, 5);
     prt__spread_multiples(&t);
     return t;
 }
@@ -4381,6 +4381,8 @@ PRT__INLINE prt__turn prt__multiples_of_b(int bands, prt_real v1, prt_real s1) {
     t.high.even_sin = s;
     t.high.odd_cos = one - (v + v1 - (v * v1 - s * s1));
     t.high.odd_sin = s + s1 - (s * v1 + v * s1);
+    t.cos_4 = PRT__QUAD_SHUFFLE(t.high.even_cos, t.high.odd_cos, 1, 2, 4, 5);
+    t.sin_4 = PRT__QUAD_SHUFFLE(t.high.even_sin, t.high.odd_sin, 1, 2, 4, 5);
     prt__spread_multiples(&t);
     return t;
 }
@@ -4437,6 +4439,8 @@ PRT__INLINE prt__turn prt__multiples_of_a(int bands, const prt__angles *e, const
     prt__turn a;
     low = prt__four_phasors_times(&low, once_or_thrice_c, once_or_thrice_s);                /* 2 4 1 3 */
     four = prt__rest_of_four(e, &low, g->cos_4, g->sin_4);
+    a.cos_4 = four.c;
+    a.sin_4 = four.s;
     a.high.even_cos = PRT__QUAD_SHUFFLE(four.c, one, 4, 0, 1, 1);
     a.high.even_sin = PRT__QUAD_SHUFFLE(four.s, zero, 4, 0, 1, 1);
     c4 = low.c[0][1];
